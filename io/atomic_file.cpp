@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/atomic_file.hpp"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "io/error.hpp"
+
+namespace tetproof {
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+  struct stat there {};
+  if (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
+    beside_ = path_;  // a pipe or a device has no place to be renamed to
+  else
+    beside_ = path_ + fmt::format(".{}.part", ::getpid());
+  file_ = std::fopen(beside_.c_str(), "wb");
+  if (!file_) fail("cannot create");
+}
+
+AtomicFile::~AtomicFile() {
+  if (!file_) return;
+  std::fclose(file_);
+  if (beside_ != path_) std::remove(beside_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
+}
+
+void AtomicFile::commit() {
+  const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+  if (closed && (beside_ == path_ || std::rename(beside_.c_str(), path_.c_str()) == 0)) return;
+  const int reason = errno;
+  if (beside_ != path_) std::remove(beside_.c_str());
+  errno = reason;
+  fail("cannot write");
+}
+
+void AtomicFile::fail(const char* what) const {
+  throw InputError(fmt::format("{}: {}: {}", path_, what, std::strerror(errno)));
+}
+
+}  // namespace tetproof

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every reader starts from: a file in memory, and a scanner that knows where it is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tetproof {
+
+/// A whole file, memory-mapped for reading; a pipe is read into memory. Throws InputError naming the path.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string_view bytes() const { return bytes_; }
+
+ private:
+  std::string path_, copy_;
+  std::string_view bytes_;
+  void* map_ = nullptr;
+};
+
+/// Reads words, numbers and raw bytes from a file's text, counting lines. Blanks are space, tab, CR, LF, VT and FF; lines end
+/// with LF, CR LF or a lone CR. Every failure is an InputError: path, line or byte offset, what was expected and what was found.
+class Scanner {
+ public:
+  Scanner(const std::string& path, std::string_view bytes, std::size_t offset = 0)
+      : path_(&path), bytes_(bytes), at_(offset) {}
+  explicit Scanner(const InputFile& file) : Scanner(file.path(), file.bytes()) {}
+
+  std::size_t offset() const { return at_; }
+  std::size_t remaining() const { return bytes_.size() - at_; }
+  std::int64_t line() const;  ///< of the current place, from 1; counted on demand
+
+  /// Skips blanks over line ends and, if given, from `comment` to the end of the line; true when nothing is left.
+  bool at_end(char comment = '\0');
+  /// Skips blanks in this line and a comment; true at the line's end or the file's.
+  bool at_line_end(char comment = '\0');
+  void next_line();                ///< to the start of the next line
+  std::string_view rest_of_line();  ///< without its line end; stays in front of it
+
+  std::string_view word(char comment = '\0');            ///< empty at the end of the file
+  std::string_view peek_word(char comment = '\0');
+  double real(const char* expected, char comment = '\0');  ///< decimal, exactly rounded; takes +, inf, nan, D exponents
+  std::int64_t integer(const char* expected, char comment = '\0');
+  /// An integer in [0, most]: a count that the rest of the file could hold. Nothing is allocated for more.
+  std::int64_t count(const char* expected, std::size_t least_bytes_each, char comment = '\0');
+
+  std::string_view raw(std::size_t size, const char* expected);  ///< exactly `size` bytes
+
+  /// "path:line: expected EXPECTED, found WORD", for the word that was read last.
+  [[noreturn]] void fail(std::string_view expected, std::string_view found) const;
+  /// "path: byte N: MESSAGE", for binary parts.
+  [[noreturn]] void fail_at_byte(std::string_view message) const;
+  /// "path:line: MESSAGE".
+  [[noreturn]] void fail_in_line(std::string_view message) const;
+
+ private:
+  const std::string* path_;
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  mutable std::size_t counted_to_ = 0;
+  mutable std::int64_t lines_ = 1;
+};
+
+/// The double nearest to a decimal text, ties to even, as `strtod` in the C locale would give it; false if `text` is not all of a
+/// number. Too large gives infinity, too small zero or a subnormal.
+bool parse_real(std::string_view text, double& value);
+/// All of `text` as a decimal integer with an optional sign; false if it is none or does not fit.
+bool parse_integer(std::string_view text, std::int64_t& value);
+
+}  // namespace tetproof
