@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The set-up that every command of this project begins with: installs the packages of apt-packages.txt that are
+# missing, and builds a Release in build/. Where all is installed and built it takes a second or two.
+# usage: .ci/setup.sh [TARGET...]     TARGET: what to build, as CMake names it; default: everything
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+mkdir -p build
+
+fail() { echo "set-up: $1" >&2; exit 1; }
+
+# Runs a command with its output in a log, shown only when the command fails.
+logged() {
+  local log=$1; shift
+  "$@" >"$log" 2>&1 || { tail -n 40 "$log" >&2; fail "failed: $* (the whole of it: $log)"; }
+}
+
+# --- packages
+mapfile -t wanted < <(sed 's/#.*//' apt-packages.txt | grep -oE '[^[:space:]]+')
+if ! command -v dpkg-query >/dev/null; then
+  echo "set-up: not a Debian system: apt-packages.txt is taken as installed"
+else
+  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
+  mapfile -t missing < <(printf '%s\n' "${wanted[@]}" | grep -vxF -e "$installed" || true)
+  if [ ${#missing[@]} -gt 0 ]; then
+    if [ "$(id -u)" = 0 ]; then as_root=(env)
+    elif command -v sudo >/dev/null; then as_root=(sudo env)
+    else fail "packages are missing, and only root may install them (there is no sudo here). As root: apt-get install --no-install-recommends ${missing[*]}"
+    fi
+    apt_get=("${as_root[@]}" DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+             apt-get -q -y -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+    echo "set-up: installing ${#missing[@]} packages and what they need: ${missing[*]}"
+    # A package source of the user's own may fail to answer without mattering here; the installation decides.
+    "${apt_get[@]}" update >build/apt-update.log 2>&1 ||
+      { tail -n 3 build/apt-update.log >&2; echo "set-up: apt-get update failed; going on with the package lists that are there" >&2; }
+    "${apt_get[@]}" install --no-install-recommends "${missing[@]}" 2>&1 </dev/null | tee build/apt-install.log |
+      awk '/newly installed/ { total = $3 }
+           /^Need to get/ { print "set-up: downloading " $4 " " $5; fflush() }
+           /^Unpacking / && ++unpacked % 50 == 0 { print "set-up: unpacked " unpacked " of " total; fflush() }
+           /^Setting up / && ++ready % 50 == 0 { print "set-up: installed " ready " of " total; fflush() }' ||
+      { tail -n 20 build/apt-install.log >&2; fail "apt-get could not install the packages (the whole of it: build/apt-install.log)"; }
+  fi
+fi
+
+# --- build
+[ -f build/build.ninja ] || echo "set-up: configuring a Release in build/"
+logged build/configure.log cmake --preset release
+# Some sources take a gigabyte of memory to compile: no more jobs than fit.
+jobs=$(nproc)
+fitting=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+if [ "$fitting" -lt "$jobs" ]; then jobs=$((fitting > 0 ? fitting : 1)); fi
+echo "set-up: building in build/ with $jobs jobs"
+cmake --build build -j "$jobs" ${1:+--target "$@"}
