@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files of every format, by their endings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof {
+
+/// A format that a document can be read from or written to.
+struct Format {
+  std::string name;  ///< as `--to` takes it
+  std::string what;  ///< one line
+  std::vector<std::string>
+      endings;  ///< lower case with the dot; of a file named to be written, the first format wins
+  bool reads = false;
+  bool ascii = true, binary = true;  ///< which of the two it can be written in
+};
+
+/// All formats: msh41, msh22, tetgen, vtu, stl, off, obj, ply.
+const std::vector<Format>& formats();
+/// The format that `path`'s ending stands for when it is written. InputError naming the known endings.
+const Format& format_of(const std::string& path);
+/// The format called `name`. InputError naming the known ones.
+const Format& format_named(const std::string& name);
+
+struct WriteOptions {
+  std::string format;          ///< a name of `formats()`; empty: by the path's ending
+  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, what is usual for others
+};
+
+/// Reads .msh 2.2 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either brings the
+/// other), and surfaces. What the format permits is read as it is written: indices that name no node, NaN,
+/// repetitions. InputError, with the file's line or byte offset, for what it does not permit.
+Document read_document(const std::string& path);
+
+/// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in
+/// io/losses.hpp lists it. InputError when the place cannot be written, or when the format cannot be written
+/// in the encoding asked for.
+void write_document(const std::string& path, const Document& document, const WriteOptions& options = {});
+
+}  // namespace tetproof

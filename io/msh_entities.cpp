@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/msh_entities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace tetproof::io {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::array<double, 6> empty_box{infinity, infinity, infinity, -infinity, -infinity, -infinity};
+
+void grow(std::array<double, 6>& box, const Eigen::Vector3d& point) {
+  if (!point.allFinite()) return;
+  for (int k = 0; k < 3; ++k) {
+    box[k] = std::min(box[k], point[k]);
+    box[3 + k] = std::max(box[3 + k], point[k]);
+  }
+}
+
+class Planner {
+ public:
+  Planner(const Document& document, const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere)
+      : document_(document), elsewhere_(listed_elsewhere.begin(), listed_elsewhere.end()) {
+    plan_.tag_sets = document.tag_sets;
+    for (const Entity& entity : document.entities) {
+      plan_.entities.push_back(entity);
+      known_.try_emplace({entity.dim, entity.tag}, entity.groups);
+      largest_[entity.dim] = std::max(largest_[entity.dim], entity.tag);
+    }
+    for (const auto& [dim, tag] : elsewhere_) largest_[dim] = std::max(largest_[dim], tag);
+    for (const ElementBlock& block : document.blocks)
+      largest_[block.dim] = std::max(largest_[block.dim], block.entity);
+    for (const NodeBlock& block : document.node_blocks)
+      largest_[block.dim] = std::max(largest_[block.dim], block.entity);
+  }
+
+  EntityPlan plan() {
+    for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
+      const ElementBlock& block = document_.blocks[b];
+      const std::int64_t tag = tag_for(block.dim, block.entity, block.groups);
+      plan_.block_tags.push_back(tag);
+      if (tag != block.entity && block.entity != 0 && plan_.changed_blocks++ == 0) plan_.first_changed = b;
+      const auto box = new_boxes_.find({block.dim, tag});
+      if (box == new_boxes_.end()) continue;
+      const std::size_t size = block.count * block.nodes_each;
+      for (std::size_t k = 0; k < size; ++k) {
+        const Index node = document_.connectivity[block.nodes + k];
+        if (node >= 0) grow(box->second, document_.points[node]);
+      }
+    }
+    cover_nodes();
+    for (auto& entity : plan_.entities) {
+      const auto box = new_boxes_.find({entity.dim, entity.tag});
+      if (box == new_boxes_.end()) continue;
+      entity.box = box->second[0] <= box->second[3] ? box->second : std::array<double, 6>{};
+      if (entity.dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
+    }
+    std::stable_sort(plan_.entities.begin(), plan_.entities.end(),
+                     [](const Entity& a, const Entity& b) { return a.dim < b.dim; });
+    return std::move(plan_);
+  }
+
+ private:
+  std::int64_t tag_for(int dim, std::int64_t tag, std::int32_t groups) {
+    if (last_ && std::tie(last_dim_, last_wanted_, last_groups_) == std::tie(dim, tag, groups)) return last_;
+    last_dim_ = dim, last_wanted_ = tag, last_groups_ = groups;
+    return last_ = find_tag(dim, tag, groups);
+  }
+
+  std::int64_t find_tag(int dim, std::int64_t tag, std::int32_t groups) {
+    if (tag != 0 && elsewhere_.count({dim, tag})) return tag;
+    if (const auto renamed = renamed_.find({dim, tag, groups}); renamed != renamed_.end())
+      return renamed->second;
+    if (tag != 0) {
+      const auto [place, is_new] = known_.try_emplace({dim, tag}, groups);
+      if (is_new) add(dim, tag, groups);
+      if (place->second == groups) return tag;
+    }
+    const std::int64_t fresh = ++largest_[dim];
+    renamed_[{dim, tag, groups}] = fresh;
+    known_[{dim, fresh}] = groups;
+    add(dim, fresh, groups);
+    return fresh;
+  }
+
+  void add(int dim, std::int64_t tag, std::int32_t groups) {
+    plan_.entities.push_back({.dim = dim, .groups = groups, .tag = tag});
+    new_boxes_[{dim, tag}] = empty_box;
+  }
+
+  // Nodes that belong to no entity are given to that of the block of the highest dimension.
+  void cover_nodes() {
+    int dim = 3;
+    std::int64_t tag = 0;
+    for (std::size_t b = 0; b < document_.blocks.size(); ++b)
+      if (tag == 0 || document_.blocks[b].dim > dim) dim = document_.blocks[b].dim, tag = plan_.block_tags[b];
+    std::size_t covered = 0;
+    const auto give = [&](std::size_t to) {
+      if (to <= covered) return;
+      if (tag == 0) tag = tag_for(dim, 1, 0);
+      add_node_block({.dim = dim, .entity = tag, .first = covered, .count = to - covered});
+    };
+    for (NodeBlock block : document_.node_blocks) {
+      give(block.first);
+      covered = block.first + block.count;
+      if (block.entity == 0 ||
+          (!known_.count({block.dim, block.entity}) && !elsewhere_.count({block.dim, block.entity})))
+        block.entity = tag_for(block.dim, block.entity, 0);
+      add_node_block(block);
+    }
+    give(document_.points.size());
+  }
+
+  void add_node_block(const NodeBlock& block) {
+    plan_.node_blocks.push_back(block);
+    const auto box = new_boxes_.find({block.dim, block.entity});
+    if (box == new_boxes_.end()) return;
+    for (std::size_t i = 0; i < block.count; ++i) grow(box->second, document_.points[block.first + i]);
+  }
+
+  const Document& document_;
+  std::set<std::pair<int, std::int64_t>> elsewhere_;
+  EntityPlan plan_;
+  std::map<std::pair<int, std::int64_t>, std::int32_t> known_;
+  std::map<std::tuple<int, std::int64_t, std::int32_t>, std::int64_t> renamed_;
+  std::map<int, std::int64_t> largest_;
+  std::map<std::pair<int, std::int64_t>, std::array<double, 6>> new_boxes_;
+  int last_dim_ = -1;
+  std::int64_t last_wanted_ = 0, last_ = 0;
+  std::int32_t last_groups_ = 0;
+};
+
+}  // namespace
+
+EntityPlan plan_entities(const Document& document,
+                         const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere) {
+  return Planner(document, listed_elsewhere).plan();
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The entities that a 4.1 file must list: the document's own, and those that its blocks only name.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof::io {
+
+struct EntityPlan {
+  std::vector<Entity> entities;  ///< by dimension, else in the document's order, new ones last
+  std::vector<std::vector<std::int64_t>> tag_sets;
+  std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
+  std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
+  std::size_t changed_blocks =
+      0;  ///< blocks with a tag that had to be another: the same entity in other groups
+  std::size_t first_changed = 0;
+};
+
+/// In 4.1 groups belong to entities: blocks of one entity with different groups become different entities.
+/// `listed_elsewhere`: entities that a section kept verbatim defines, which are not to be listed again.
+EntityPlan plan_entities(const Document& document,
+                         const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere = {});
+
+}  // namespace tetproof::io
