@@ -41,6 +41,7 @@ class Scanner {
   bool at_end(char comment = '\0');
   /// Skips blanks in this line and a comment; true at the line's end or the file's.
   bool at_line_end(char comment = '\0');
+  bool ends_line() const { return remaining() == 0 || bytes_[at_] == '\n' || bytes_[at_] == '\r'; }  ///< at this very byte
   void next_line();                ///< to the start of the next line
   std::string_view rest_of_line();  ///< without its line end; stays in front of it
 
