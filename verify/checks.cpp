@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of checks: the one place that knows ids, severities and what the certificate needs.
+#include <fmt/core.h>
+
+#include "io/error.hpp"
+#include "verify/report.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+constexpr bool needed = true, not_needed = false, alone = false, with_surface = true;
+
+// clang-format off
+constexpr std::array<CheckInfo, check_count> table{{
+  {Check::index_range, "index-range", "every tetrahedron names points that exist", "exact", Severity::fail, needed, alone},
+  {Check::finite_coordinates, "finite-coordinates", "every point that a tetrahedron uses has finite coordinates", "exact", Severity::fail, needed, alone},
+  {Check::repeated_vertex, "repeated-vertex", "no tetrahedron names a point twice", "exact", Severity::fail, needed, alone},
+  {Check::duplicate_point, "duplicate-point", "no two points have equal coordinates", "exact", Severity::warning, not_needed, alone},
+  {Check::unused_point, "unused-point", "every point belongs to a tetrahedron", "exact", Severity::warning, not_needed, alone},
+  {Check::duplicate_tet, "duplicate-tet", "no two tetrahedra have the same four vertices", "exact", Severity::fail, needed, alone},
+  {Check::inverted, "inverted", "no tetrahedron has negative orientation", "exact", Severity::fail, needed, alone},
+  {Check::flat, "flat", "no tetrahedron has its four vertices in one plane", "exact", Severity::fail, needed, alone},
+  {Check::face_shared_thrice, "face-shared-thrice", "every face belongs to one or two tetrahedra", "exact", Severity::fail, needed, alone},
+  {Check::face_orientation, "face-orientation", "the two tetrahedra of a face lie on opposite sides of it, by the order of their vertices", "exact", Severity::fail, needed, alone},
+  {Check::cavity, "cavity", "the boundary encloses no cavity, or as many as the surface does: a missing inner tetrahedron leaves one", "exact", Severity::topology, not_needed, alone},
+  {Check::boundary_nonmanifold_edge, "boundary-nonmanifold-edge", "every edge of the boundary has two boundary faces", "exact", Severity::topology, not_needed, alone},
+  {Check::boundary_nonmanifold_vertex, "boundary-nonmanifold-vertex", "the boundary faces at every vertex form one fan", "exact", Severity::topology, not_needed, alone},
+  {Check::boundary_self_intersection, "boundary-self-intersection", "two boundary faces meet in their common vertices and edges only", "exact", Severity::fail, needed, alone},
+  {Check::overlap, "overlap", "no part of the boundary has the mesh on its outer side: with the checks above, no two tetrahedra overlap", "exact", Severity::fail, needed, alone},
+  {Check::topology, "topology", "components, cavities and genus of the boundary are the surface's", "exact", Severity::topology, not_needed, with_surface},
+  {Check::volume_surface, "volume-surface", "the mesh's volume is the surface's, within fidelity x diagonal x area", "both exact, rounded once", Severity::fail, not_needed, with_surface},
+  {Check::volume_voxel, "volume-voxel", "the mesh's volume is that of the surface's voxels, an independent account", "the volume of the voxels that the surface meets; a difference inside it is undecided", Severity::fail, not_needed, with_surface},
+}};
+// clang-format on
+
+constexpr bool in_order() {
+  for (int i = 0; i < check_count; ++i)
+    if (static_cast<int>(table[i].check) != i) return false;
+  return true;
+}
+static_assert(in_order(), "one row for each check, in the order of the enumeration");
+
+}  // namespace
+
+const CheckInfo& info(Check check) {
+  return table[static_cast<std::size_t>(check)];
+}
+
+Check check_of_id(const std::string& id) {
+  for (const CheckInfo& row : table)
+    if (row.id == id) return row.check;
+  throw InputError(fmt::format("unknown check '{}', expected an id of --list-checks", id));
+}
+
+std::string list_checks() {
+  std::string text;
+  for (const CheckInfo& row : table) {
+    const char* severity = row.severity == Severity::fail      ? "fail"
+                           : row.severity == Severity::warning ? "warning"
+                                                               : "warning, fail under --strict-topology";
+    text += fmt::format("{}\n    proves    {}\n    accuracy  {}\n    severity  {}{}{}\n", row.id, row.proves,
+                        row.exact, severity, row.certificate ? "; the certificate needs it" : "",
+                        row.needs_surface ? "; needs a surface" : "");
+  }
+  return text;
+}
+
+bool sound(const Report& report) {
+  for (const CheckResult& result : report.checks)
+    if (result.verdict == Verdict::fail) return false;
+  return true;
+}
+
+}  // namespace tetproof::verify

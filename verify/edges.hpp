@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How triangles hang together: edges with their triangles, sheets, and the fans at a vertex. Internal.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/tet_mesh.hpp"
+
+namespace tetproof::verify {
+
+using Triangle = std::array<Index, 3>;
+
+/// Side k of triangle t, from its vertex k to the next: 3 t + k.
+using Side = std::int32_t;
+inline constexpr Side no_side = -1;
+inline Index from(std::span<const Triangle> triangles, Side s) {
+  return triangles[static_cast<std::size_t>(s / 3)][static_cast<std::size_t>(s % 3)];
+}
+inline Index to(std::span<const Triangle> triangles, Side s) {
+  return triangles[static_cast<std::size_t>(s / 3)][static_cast<std::size_t>((s + 1) % 3)];
+}
+
+/// Edges are listed by their lower, then their higher vertex.
+struct EdgeMatching {
+  std::vector<Side> mate;  ///< the other side at an edge of exactly two triangles, else no_side
+  std::vector<Side> open;  ///< edges of one triangle
+  std::vector<std::array<Side, 2>>
+      same_direction;  ///< edges of two triangles that run along it in the same direction
+  std::vector<std::vector<Side>> nonmanifold;  ///< edges of three or more
+};
+
+/// Triangles name vertices in [0, vertices), three different ones each, or are left out (`excluded` empty:
+/// none).
+EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertices,
+                         const std::vector<std::uint8_t>& excluded = {});
+
+/// A set of triangles that hang together through mates. Every vertex counts once for each fan of triangles
+/// around it.
+struct Sheet {
+  Index first_triangle = 0;
+  std::int64_t triangles = 0, vertices = 0, open_sides = 0;
+  /// Euler's characteristic V - E + F = 2 - 2 genus of a closed, oriented sheet.
+  std::int64_t euler() const { return vertices - (3 * triangles + open_sides) / 2 + triangles; }
+  std::int64_t genus() const { return (2 - euler()) / 2; }
+};
+
+struct Sheets {
+  std::vector<Index> of_triangle;  ///< a position in `sheets`; -1 for an excluded triangle
+  std::vector<Sheet> sheets;       ///< by their lowest triangle
+  std::vector<Index>
+      vertices_of_fans;  ///< the vertex of every fan; one with two fans stands twice; ascending
+};
+
+Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>& mate,
+                   const std::vector<std::uint8_t>& excluded = {});
+
+}  // namespace tetproof::verify

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact orientation of every tetrahedron. Internal.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/tet_mesh.hpp"
+
+namespace tetproof::verify {
+
+struct Orientations {
+  std::vector<Index> negative, flat;  ///< ascending
+};
+
+/// Exact signs of (b-a) x (c-a) . (d-a); `excluded` tetrahedra (empty: none) are left out, all others must
+/// name finite points.
+Orientations orientations(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded);
+
+}  // namespace tetproof::verify

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The voxels laid over a surface, and a bit for each of them. Internal to the voxel account.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "io/triangle_surface.hpp"
+
+namespace tetproof::verify {
+
+/// Cubes of side h. Voxel i along an axis reaches from plane(axis, i) to plane(axis, i + 1), with its centre
+/// between them. h has 20 significant bits and planes are multiples k h with |k| < 2^30, so planes and
+/// centres are exact doubles.
+struct VoxelLattice {
+  double h = 0;
+  std::array<std::int64_t, 3> first{};  ///< plane(axis, 0) = first[axis] * h
+  std::array<int, 3> size{};
+
+  double plane(int axis, int i) const { return static_cast<double>(first[axis] + i) * h; }
+  double centre(int axis, int i) const { return static_cast<double>(2 * (first[axis] + i) + 1) * (h / 2); }
+};
+
+/// Lays about `along_longest_side` voxels along the longest side of the surface's box, and at least one more
+/// on every side, so that the outermost centres are outside the box. InputError where the surface has no
+/// extent, is not finite or lies so far from the origin that the planes would not be exact.
+VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side);
+
+/// One bit for each voxel, in rows along z of whole 64-bit words. Set and toggled from many threads at once;
+/// both commute, so the outcome does not depend on their order.
+class VoxelBits {
+ public:
+  explicit VoxelBits(const VoxelLattice& lattice)
+      : ny_(lattice.size[1]),
+        words_per_row_((static_cast<std::size_t>(lattice.size[2]) + 63) / 64),
+        words_(words_per_row_ * lattice.size[0] * lattice.size[1], 0) {}
+
+  std::size_t words_per_row() const { return words_per_row_; }
+  std::uint64_t* row(int i, int j) {
+    return words_.data() + (static_cast<std::size_t>(i) * ny_ + j) * words_per_row_;
+  }
+  const std::uint64_t* row(int i, int j) const {
+    return words_.data() + (static_cast<std::size_t>(i) * ny_ + j) * words_per_row_;
+  }
+  void set(int i, int j, int k) {
+    std::atomic_ref word(row(i, j)[k >> 6]);
+    const std::uint64_t bit = std::uint64_t{1} << (k & 63);
+    if (!(word.load(std::memory_order_relaxed) & bit)) word.fetch_or(bit, std::memory_order_relaxed);
+  }
+  void toggle(int i, int j, int k) {
+    std::atomic_ref(row(i, j)[k >> 6]).fetch_xor(std::uint64_t{1} << (k & 63), std::memory_order_relaxed);
+  }
+
+ private:
+  std::size_t ny_, words_per_row_;
+  std::vector<std::uint64_t> words_;
+};
+
+/// The voxels whose centres are inside: an odd number of crossings below them on their line along z. Exact
+/// for every centre that is not on the surface. InputError if a line crosses the surface an odd number of
+/// times, which no closed surface allows.
+VoxelBits inside_voxels(const TriangleSurface& surface, const VoxelLattice& lattice);
+
+/// A superset of the closed voxels that the surface meets; at most those within 1e-11 h of it are too many.
+VoxelBits met_voxels(const TriangleSurface& surface, const VoxelLattice& lattice);
+
+}  // namespace tetproof::verify
