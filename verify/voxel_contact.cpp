@@ -34,7 +34,7 @@ class TriangleVoxels {
     std::sort(v.begin(), v.end(), before);  // so that the order of the corners does not matter
     for (int axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax({v[0][axis], v[1][axis], v[2][axis]});
-      const double first = std::floor(low / lattice.h) - static_cast<double>(lattice.first[axis]);
+      const double first = std::floor(lattice.position(axis, low));
       base_[axis] = static_cast<int>(std::clamp(first, 0.0, lattice.size[axis] - 1.0));
       const double plane = lattice.plane(axis, base_[axis]);
       for (int c = 0; c < 3; ++c) u_[c][axis] = (v[c][axis] - plane) / lattice.h;

@@ -13,15 +13,25 @@
 namespace tetproof::verify {
 
 /// Cubes of side h. Voxel i along an axis reaches from plane(axis, i) to plane(axis, i + 1), with its centre
-/// between them. h has 20 significant bits and planes are multiples k h with |k| < 2^30, so planes and
-/// centres are exact doubles.
+/// between them. Plane i is (k + phase / 32) h with k = first[axis] + i. With h of 12 significant bits and
+/// |k| < 2^34 planes and centres are exact doubles. The phases keep the planes off the symmetry planes and
+/// round numbers that models have: a sphere about the origin would otherwise be counted eight times over,
+/// errors included, and the faces of boxes would meet two layers of voxels.
 struct VoxelLattice {
+  static constexpr std::array<int, 3> phase{5, 9, 13};
+
   double h = 0;
-  std::array<std::int64_t, 3> first{};  ///< plane(axis, 0) = first[axis] * h
+  std::array<std::int64_t, 3> first{};
   std::array<int, 3> size{};
 
-  double plane(int axis, int i) const { return static_cast<double>(first[axis] + i) * h; }
-  double centre(int axis, int i) const { return static_cast<double>(2 * (first[axis] + i) + 1) * (h / 2); }
+  double plane(int axis, int i) const {
+    return static_cast<double>(32 * (first[axis] + i) + phase[axis]) * (h / 32);
+  }
+  double centre(int axis, int i) const {
+    return static_cast<double>(32 * (first[axis] + i) + phase[axis] + 16) * (h / 32);
+  }
+  /// Where `x` lies, counted in voxels from plane 0, to rounding.
+  double position(int axis, double x) const { return (x - plane(axis, 0)) / h; }
 };
 
 /// Lays about `along_longest_side` voxels along the longest side of the surface's box, and at least one more

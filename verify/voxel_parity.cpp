@@ -62,7 +62,7 @@ class TriangleRows {
  private:
   // The first voxel whose centre is not below `at`, or the last one.
   int first_centre(int axis, double at) const {
-    const double guess = std::ceil(at / lattice_.h - 0.5) - static_cast<double>(lattice_.first[axis]);
+    const double guess = std::ceil(lattice_.position(axis, at) - 0.5);
     int i = static_cast<int>(std::clamp(guess, 0.0, lattice_.size[axis] - 1.0));
     while (i > 0 && lattice_.centre(axis, i - 1) >= at) --i;
     while (i + 1 < lattice_.size[axis] && lattice_.centre(axis, i) < at) ++i;

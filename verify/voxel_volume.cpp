@@ -85,18 +85,19 @@ VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side) 
         fmt::format("the longest side of the surface's box is {}, expected 1e-90 to 1e90", side));
   int exponent;
   const double digits = std::frexp(side / along_longest_side, &exponent);
-  VoxelLattice lattice{
-      .h = std::ldexp(std::ceil(std::ldexp(digits, 20)), exponent - 20), .first = {}, .size = {}};
+  const double h = std::ldexp(std::ceil(std::ldexp(digits, 12)), exponent - 12);
+  VoxelLattice lattice{.h = h, .first = {}, .size = {}};
   for (int axis = 0; axis < 3; ++axis) {
-    // The quotients may be rounded across a plane, hence the exact comparison afterwards.
-    const double a = std::floor(low[axis] / lattice.h) - 1, b = std::floor(high[axis] / lattice.h) + 2;
-    if (std::max(-a, b) >= 1 << 30)
+    const double phase = VoxelLattice::phase[axis] / 32.0;
+    const double below = std::floor(low[axis] / h - phase), above = std::floor(high[axis] / h - phase);
+    if (std::max(-below, above) > 1e10)
       throw InputError(
           fmt::format("the surface is too far from the origin for {} voxels along its longest side ({})",
                       along_longest_side, side));
-    lattice.first[axis] = static_cast<std::int64_t>(a);
-    if (lattice.plane(axis, 1) > low[axis]) --lattice.first[axis];
-    lattice.size[axis] = static_cast<int>(static_cast<std::int64_t>(b) - lattice.first[axis]);
+    lattice.first[axis] = static_cast<std::int64_t>(below) - 1;
+    lattice.size[axis] = static_cast<int>(static_cast<std::int64_t>(above) + 2 - lattice.first[axis]);
+    // The quotients may have been rounded across a plane.
+    if (lattice.plane(axis, 1) > low[axis]) --lattice.first[axis], ++lattice.size[axis];
     if (lattice.plane(axis, lattice.size[axis] - 1) <= high[axis]) ++lattice.size[axis];
   }
   return lattice;

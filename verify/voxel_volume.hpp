@@ -19,19 +19,18 @@ inline constexpr int least_voxels = 2, most_voxels = 1024;
 /// Cubes of one size laid over a surface's box, with at least one layer around it, and what each of them is.
 struct VoxelVolume {
   double inside = 0;  ///< volume of the voxels whose centre is inside [length^3]
-  double error_bound =
-      0;  ///< |inside - enclosed volume| is at most this: the volume of the voxels that the surface meets
-  double voxel_size = 0;        ///< side of a voxel [length]
-  std::array<int, 3> voxels{};  ///< along x, y, z
-  Eigen::Vector3d origin =
-      Eigen::Vector3d::Zero();            ///< lower corner of voxel (0,0,0), an exact multiple of voxel_size
-  std::int64_t inside_count = 0;          ///< voxels whose centre is inside
-  std::int64_t met_count = 0;             ///< voxels that the surface meets
-  std::shared_ptr<const VoxelSets> sets;  ///< which they are
+  /// |inside - enclosed volume| is at most this: the volume of the voxels that the surface meets
+  double error_bound = 0;
+  double voxel_size = 0;                             ///< side of a voxel [length]
+  std::array<int, 3> voxels{};                       ///< along x, y, z
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< lower corner of voxel (0,0,0), exact
+  std::int64_t inside_count = 0;                     ///< voxels whose centre is inside
+  std::int64_t met_count = 0;                        ///< voxels that the surface meets
+  std::shared_ptr<const VoxelSets> sets;             ///< which they are
 };
 
 /// Counts about `voxels_along_longest_side` voxels along the longest side of the surface's box (their size is
-/// rounded up to 20 significant bits and they lie on multiples of it, so that planes and centres are exact).
+/// rounded up to 12 significant bits, so that planes and centres are exact).
 ///
 /// A centre is inside if the surface encloses it an odd number of times, whatever its orientation, nesting or
 /// thickness: the parity of exactly decided crossings along the voxels' rows (a centre on the surface counts
@@ -40,7 +39,7 @@ struct VoxelVolume {
 /// error beside it. Same result for any number of threads, any numbering and any orientation.
 ///
 /// The surface must be closed (`judge_surface`). InputError if a row shows that it is not, if it is empty,
-/// not finite or flat as a point, lies more than 2^30 voxels from the origin, or if the number of voxels is
+/// not finite or flat as a point, lies more than 1e10 voxels from the origin, or if the number of voxels is
 /// outside [least_voxels, most_voxels]. Memory: 2 bits a voxel while working, less after (34 MB with 512
 /// cubed).
 VoxelVolume voxel_volume(const TriangleSurface& surface, int voxels_along_longest_side);
