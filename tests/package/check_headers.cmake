@@ -1,0 +1,25 @@
+# Every installed header compiles on its own, and none brings in another project's headers but Eigen's.
+# usage: cmake -DPREFIX=DIR -DCOMPILER=CXX -DEIGEN=DIR -DWORK=DIR -P check_headers.cmake
+file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*/*.hpp")
+list(LENGTH headers count)
+if(count LESS 8)
+  message(FATAL_ERROR "only ${count} headers under ${PREFIX}/include/tetproof")
+endif()
+string(REPLACE "|" ";-isystem;" eigen "-isystem;${EIGEN}")
+
+foreach(header ${headers})
+  file(WRITE "${WORK}/one_header.cpp" "#include <${header}>\n#include <${header}>\n")
+  execute_process(
+    COMMAND "${COMPILER}" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -MMD -MF "${WORK}/one_header.d"
+      -I "${PREFIX}/include" -I "${PREFIX}/include/tetproof" ${eigen} "${WORK}/one_header.cpp"
+    RESULT_VARIABLE code ERROR_VARIABLE errors)
+  if(NOT code EQUAL 0)
+    message(SEND_ERROR "<${header}> does not compile on its own:\n${errors}")
+    continue()
+  endif()
+  file(READ "${WORK}/one_header.d" names)
+  string(REGEX MATCHALL "[^ \\\n]*/(CGAL|openvdb|boost|fmt|tbb|oneapi|nlohmann|CLI|nanoflann|pugixml|gmsh)[^ \\\n]*" foreign "${names}")
+  if(foreign)
+    message(SEND_ERROR "<${header}> includes ${foreign}")
+  endif()
+endforeach()
