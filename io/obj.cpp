@@ -38,7 +38,8 @@ std::string_view next_field(Scanner& scanner) {
 void skip_statement(Scanner& scanner) {
   for (;;) {
     const std::string_view line = scanner.rest_of_line();
-    if (line.empty() || line.back() != '\\' || scanner.remaining() == 0) return;
+    if (line.empty() || line.back() != '\\' || line.find('#') != line.npos || scanner.remaining() == 0)
+      return;
     scanner.next_line();
   }
 }
@@ -52,51 +53,69 @@ double real_field(Scanner& scanner) {
   return value;
 }
 
-// The point of i, i/t, i//n or i/t/n; counted from 0.
-Index corner_of(std::string_view field, std::size_t points, const Scanner& scanner) {
+// The point of i, i/t, i//n or i/t/n, counted from 0.
+std::int64_t corner_of(std::string_view field, std::int64_t points_above, const Scanner& scanner) {
   const std::string_view number = field.substr(0, field.find('/'));
   const std::string_view rest = field.substr(number.size());
   std::int64_t value;
-  if (!parse_integer(number, value) || rest.find_first_not_of("/-0123456789") != rest.npos ||
+  if (!parse_integer(number, value) || value == 0 || rest.find_first_not_of("/-0123456789") != rest.npos ||
       std::count(rest.begin(), rest.end(), '/') > 2)
-    scanner.fail("a vertex as in 7, 7/1, 7//3 or 7/1/3", field);
-  const std::int64_t corner = value < 0 ? static_cast<std::int64_t>(points) + value : value - 1;
-  if (value == 0) scanner.fail_in_line("expected a vertex from 1, or from the last one back by -1, found 0");
-  if (value < 0 && corner < 0)
-    scanner.fail_in_line(fmt::format("face names vertex {}, but only {} stand above it", value, points));
-  if (corner >= std::numeric_limits<Index>::max())
-    scanner.fail_in_line(fmt::format("expected a vertex up to 2147483647, found {}", value));
-  return static_cast<Index>(corner);
+    scanner.fail("a vertex as in 7, 7/1, 7//3, 7/1/3 or -1", field);
+  if (value > 0) return value - 1;
+  if (value < -points_above)
+    scanner.fail_in_line(
+        fmt::format("face names vertex {}, but only {} stand above it", value, points_above));
+  return points_above + value;
+}
+
+bool is_face(std::string_view statement) {
+  return statement == "f" || statement == "fo";
 }
 
 }  // namespace
 
 TriangleSurface read_obj(const InputFile& file) {
+  // First the points, since a face may name points that come later.
   Scanner scanner(file);
-  Polygons polygons;
-  polygons.first = 1;
+  std::vector<Eigen::Vector3d> points;
+  std::size_t first_face = file.bytes().size();
+  std::int64_t points_above = 0;
   while (!scanner.at_end('#')) {
     const std::size_t place = scanner.offset();
     const std::string_view statement = next_field(scanner);
     if (statement == "v") {
-      Eigen::Vector3d point;
+      Eigen::Vector3d& point = points.emplace_back();
       for (int k = 0; k < 3; ++k) point[k] = real_field(scanner);
       double extra;  // a weight or a colour
       for (std::string_view field = next_field(scanner); !field.empty(); field = next_field(scanner))
         if (!parse_real(field, extra)) scanner.fail("a number or the end of the line", field);
-      polygons.points.push_back(point);
-    } else if (statement == "f" || statement == "fo") {
-      polygons.places.push_back(place);
-      for (std::string_view field = next_field(scanner); !field.empty(); field = next_field(scanner))
-        polygons.corners.push_back(corner_of(field, polygons.points.size(), scanner));
-      polygons.ends.push_back(polygons.corners.size());
+    } else if (is_face(statement)) {
+      if (place < first_face) first_face = place, points_above = static_cast<std::int64_t>(points.size());
+      skip_statement(scanner);
     } else if (std::find(skipped.begin(), skipped.end(), statement) != skipped.end()) {
       skip_statement(scanner);
     } else if (!statement.empty()) {
       scanner.fail("a statement of OBJ (v, f, ...)", statement);
     }
   }
-  return triangulate(std::move(polygons), file);
+
+  SurfaceFaces surface(file, std::move(points), 1, true);
+  scanner = Scanner(file.path(), file.bytes(), first_face);
+  std::vector<std::int64_t> corners;
+  while (!scanner.at_end('#')) {
+    const std::size_t place = scanner.offset();
+    const std::string_view statement = next_field(scanner);
+    points_above += statement == "v";
+    if (!is_face(statement)) {
+      skip_statement(scanner);
+      continue;
+    }
+    corners.clear();
+    for (std::string_view field = next_field(scanner); !field.empty(); field = next_field(scanner))
+      corners.push_back(corner_of(field, points_above, scanner));
+    surface.add(corners, place);
+  }
+  return surface.take();
 }
 
 void write_obj(AtomicFile& file, const TriangleSurface& surface) {

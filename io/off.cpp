@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <limits>
+#include <algorithm>
 
 #include "io/polygons.hpp"
 #include "io/surface_lines.hpp"
@@ -47,35 +47,34 @@ TriangleSurface read_off(const InputFile& file) {
   Scanner scanner(file.path(), file.bytes(), keyword_length(file.bytes(), start));
   if (scanner.peek_word('#') == "BINARY") scanner.fail_in_line("expected OFF as text, found binary OFF");
 
-  Polygons polygons;
-  const std::int64_t points = scanner.count("the number of vertices", 6, '#');
+  const std::int64_t vertices = scanner.count("the number of vertices", 6, '#');
   const std::int64_t faces = scanner.count("the number of faces", 2, '#');
   if (!scanner.at_line_end('#')) scanner.integer("the number of edges", '#');
 
-  polygons.points.reserve(points);
-  for (std::int64_t i = 0; i < points; ++i) {
-    Eigen::Vector3d& point = polygons.points.emplace_back();
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(vertices);
+  for (std::int64_t i = 0; i < vertices; ++i) {
+    Eigen::Vector3d& point = points.emplace_back();
     for (int k = 0; k < 3; ++k) point[k] = scanner.real("a coordinate", '#');
     skip_numbers(scanner);
   }
-  polygons.ends.reserve(faces);
-  polygons.places.reserve(faces);
+  SurfaceFaces surface(file, std::move(points), 0, true);
+  surface.reserve(
+      std::min<std::size_t>(faces, scanner.remaining() / 7));  // no triangle is shorter than "3 0 1 2"
+  std::vector<std::int64_t> corners;
   for (std::int64_t i = 0; i < faces; ++i) {
     scanner.at_end('#');
-    polygons.places.push_back(scanner.offset());
-    const std::int64_t corners = scanner.count("the number of a face's corners", 2, '#');
-    for (std::int64_t k = 0; k < corners; ++k) {
-      const std::int64_t corner = scanner.integer("a vertex", '#');
-      if (corner < 0 || corner >= points)
-        scanner.fail_in_line(fmt::format("expected a vertex from 0 to {}, found {}", points - 1, corner));
-      polygons.corners.push_back(static_cast<Index>(corner));
-    }
-    polygons.ends.push_back(polygons.corners.size());
+    const std::size_t place = scanner.offset();
+    corners.resize(scanner.count("the number of a face's corners", 2, '#'));
+    for (std::int64_t& corner : corners) corner = scanner.integer("a vertex", '#');
     skip_numbers(scanner);
+    surface.add(corners, place);
   }
-  if (!scanner.at_end('#'))
-    scanner.fail(fmt::format("the end of the file after {} faces", faces), scanner.peek_word('#'));
-  return triangulate(std::move(polygons), file);
+  if (!scanner.at_end('#')) {
+    const std::string_view found = scanner.word('#');
+    scanner.fail(fmt::format("the end of the file after {} faces", faces), found);
+  }
+  return surface.take();
 }
 
 void write_off(AtomicFile& file, const TriangleSurface& surface) {

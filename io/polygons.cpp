@@ -92,67 +92,58 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
   return {start, {}};
 }
 
-[[noreturn]] void fail(const Polygons& polygons, std::size_t polygon, const InputFile& file,
-                       const std::string& message) {
-  const Scanner place(file.path(), file.bytes(), polygons.places[polygon]);
-  if (polygons.text) place.fail_in_line(message);
-  place.fail_at_byte(message);
-}
-
 }  // namespace
 
-TriangleSurface triangulate(Polygons polygons, const InputFile& file) {
-  TriangleSurface surface;
-  const auto points_in_file = static_cast<std::int64_t>(polygons.points.size());
-  if (points_in_file > std::numeric_limits<Index>::max())
+SurfaceFaces::SurfaceFaces(const InputFile& file, std::vector<Eigen::Vector3d> points, std::int64_t first,
+                           bool text)
+    : file_(file), first_(first), text_(text) {
+  if (points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw InputError(
-        fmt::format("{}: {} points, at most 2147483647 can be numbered", file.path(), points_in_file));
-  const std::vector<Index> moved = weld(polygons.points);
-  surface.vertices = std::move(polygons.points);
-  surface.triangles.reserve(polygons.corners.size() -
-                            std::min(polygons.corners.size(), 2 * polygons.ends.size()));
+        fmt::format("{}: {} points, at most 2147483647 can be numbered", file.path(), points.size()));
+  moved_ = weld(points);
+  surface_.vertices = std::move(points);
+}
 
-  std::vector<Index> corners;
-  std::size_t begin = 0;
-  for (std::size_t polygon = 0; polygon < polygons.ends.size(); begin = polygons.ends[polygon++]) {
-    const std::span<const Index> named(&polygons.corners[begin], polygons.ends[polygon] - begin);
-    if (named.size() < 3)
-      fail(polygons, polygon, file, fmt::format("face has {} corners, expected at least 3", named.size()));
-    corners.clear();
-    for (const Index corner : named) {
-      if (corner < 0 || corner >= points_in_file)
-        fail(polygons, polygon, file,
-             fmt::format("face names vertex {}, expected one of the file's {}", corner + polygons.first,
-                         points_in_file) +
-                 (points_in_file
-                      ? fmt::format(", {} to {}", polygons.first, polygons.first + points_in_file - 1)
-                      : ""));
-      corners.push_back(moved[corner]);
-    }
-    if (corners.size() == 3) {
-      surface.triangles.push_back({corners[0], corners[1], corners[2]});
-      continue;
-    }
-    const std::array<Index, 3> collapsed{corners[0], corners[1], corners[2]};
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
-    const auto n = static_cast<std::ptrdiff_t>(corners.size());
-    if (n < 3) {
-      surface.triangles.push_back(collapsed);
-      continue;
-    }
-    std::ptrdiff_t start = 0;
-    if (n > 3) {
-      const Fan fan = fan_of(corners, surface.vertices);
-      if (fan.start < 0)
-        fail(polygons, polygon, file,
-             fmt::format("face with {} corners {}; cut it into triangles", named.size(), fan.fault));
-      start = fan.start;
-    }
-    for (std::ptrdiff_t i = 1; i + 1 < n; ++i)
-      surface.triangles.push_back({corners[start], corners[(start + i) % n], corners[(start + i + 1) % n]});
+void SurfaceFaces::add(std::span<const std::int64_t> face, std::size_t place) {
+  const auto points = static_cast<std::int64_t>(moved_.size());
+  if (face.size() < 3) fail(place, fmt::format("face has {} corners, expected at least 3", face.size()));
+  corners_.clear();
+  for (const std::int64_t corner : face) {
+    if (corner < 0 || corner >= points)
+      fail(place, points == 0
+                      ? fmt::format("face names vertex {}, but there are no vertices", corner + first_)
+                      : fmt::format("face names vertex {}, expected {} to {}", corner + first_, first_,
+                                    points - 1 + first_));
+    corners_.push_back(moved_[corner]);
   }
-  return surface;
+  auto& triangles = surface_.triangles;
+  const std::array<Index, 3> as_named{corners_[0], corners_[1], corners_[2]};
+  if (face.size() == 3) {
+    triangles.push_back(as_named);
+    return;
+  }
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
+  const std::size_t n = corners_.size();
+  if (n < 3) {
+    triangles.push_back(as_named);
+    return;
+  }
+  std::size_t start = 0;
+  if (n > 3) {
+    const Fan fan = fan_of(corners_, surface_.vertices);
+    if (fan.start < 0)
+      fail(place, fmt::format("face with {} corners {}; cut it into triangles", face.size(), fan.fault));
+    start = fan.start;
+  }
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    triangles.push_back({corners_[start], corners_[(start + i) % n], corners_[(start + i + 1) % n]});
+}
+
+void SurfaceFaces::fail(std::size_t place, const std::string& message) const {
+  const Scanner scanner(file_.path(), file_.bytes(), place);
+  if (text_) scanner.fail_in_line(message);
+  scanner.fail_at_byte(message);
 }
 
 }  // namespace tetproof::io

@@ -6,6 +6,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/input_file.hpp"
@@ -13,18 +16,7 @@
 
 namespace tetproof::io {
 
-/// Points and polygons as a file lists them.
-struct Polygons {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Index> corners;       ///< of all polygons, one after another, positions in `points`
-  std::vector<std::size_t> ends;    ///< of each polygon, in `corners`
-  std::vector<std::size_t> places;  ///< of each polygon, byte offset in the file
-
-  std::int64_t first = 0;  ///< the number that the file gives to its first point
-  bool text = true;        ///< places are told as lines; otherwise as bytes
-};
-
-/// Welds the points and cuts the polygons into triangles, in the file's order.
+/// Welds the points and cuts faces into triangles as they come.
 ///
 /// A triangle stays as it is, degenerate or not. Of a larger polygon, corners that repeat the one before are
 /// dropped first (a quadrilateral with a collapsed side is a triangle; one that collapses altogether leaves
@@ -41,6 +33,26 @@ struct Polygons {
 ///
 /// Throws InputError, with the polygon's line or byte, for a point that does not exist, fewer than three
 /// corners, and a polygon that is not planar or not convex.
-TriangleSurface triangulate(Polygons polygons, const InputFile& file);
+class SurfaceFaces {
+ public:
+  /// All points of the file, the first of which it calls `first`. Places are told as lines if `text`, else as
+  /// bytes.
+  SurfaceFaces(const InputFile& file, std::vector<Eigen::Vector3d> points, std::int64_t first, bool text);
+
+  void reserve(std::size_t triangles) { surface_.triangles.reserve(triangles); }
+  /// The next face: its corners, counted from 0, and the byte where it stands.
+  void add(std::span<const std::int64_t> face, std::size_t place);
+  TriangleSurface take() { return std::move(surface_); }
+
+ private:
+  [[noreturn]] void fail(std::size_t place, const std::string& message) const;
+
+  const InputFile& file_;
+  std::int64_t first_;
+  bool text_;
+  std::vector<Index> moved_;    // where welding put each point
+  std::vector<Index> corners_;  // of the face at hand
+  TriangleSurface surface_;
+};
 
 }  // namespace tetproof::io

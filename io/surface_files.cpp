@@ -10,6 +10,8 @@
 #include "io/input_file.hpp"
 #include "io/obj.hpp"
 #include "io/off.hpp"
+#include "io/ply.hpp"
+#include "io/stl.hpp"
 
 namespace tetproof {
 namespace {
@@ -36,6 +38,8 @@ TriangleSurface read_surface(const std::string& path) {
   const std::string ending = ending_of(path);
   if (ending == "off") return io::read_off(file);
   if (ending == "obj") return io::read_obj(file);
+  if (ending == "stl") return io::read_stl(file);
+  if (ending == "ply") return io::read_ply(file);
   throw InputError(fmt::format("{}: expected a surface as .stl, .off, .obj or .ply", path));
 }
 
