@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every program does the same way: help, versions, one-line errors, exit codes, JSON, threads, whole
+// files.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/programs/run_program.hpp"
+
+namespace tetproof::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// A program with arguments that make it do a small job and succeed. SURFACE, MESH and OUT stand for files.
+struct Job {
+  std::string name;
+  std::vector<std::string> arguments;
+  bool writes = false;  // has an OUT
+
+  std::string test_name() const {
+    std::string text = name + (writes ? "_writing" : "");
+    for (char& c : text)
+      if (c == '-') c = '_';
+    return text;
+  }
+};
+
+const std::vector<Job> jobs{
+    {"tetproof-mesh", {"SURFACE", "-o", "OUT", "--cells", "6"}, true},
+    {"tetproof-verify", {"MESH"}},
+    {"tetproof-verify", {"MESH", "SURFACE", "--fidelity", "0.2", "--voxels", "16"}},
+    {"tetproof-convert", {"MESH", "OUT"}, true},
+};
+
+// An octahedron, cut into four tetrahedra around its long diagonal.
+constexpr const char* octahedron_node = "6 3 0 0\n1 1 0 0\n2 0 1 0\n3 -1 0 0\n4 0 -1 0\n5 0 0 1\n6 0 0 -1\n";
+constexpr const char* octahedron_ele = "4 4 0\n1 1 2 5 6\n2 2 3 5 6\n3 3 4 5 6\n4 4 1 5 6\n";
+constexpr const char* octahedron_off =
+    "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+    "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n";
+
+class CommonBehaviour : public ::testing::TestWithParam<Job> {
+ protected:
+  CommonBehaviour() {
+    inputs.write("octahedron.node", octahedron_node);
+    inputs.write("octahedron.ele", octahedron_ele);
+    inputs.write("octahedron.off", octahedron_off);
+  }
+
+  // The job's command with `out` as the file that it writes, and `more` behind it.
+  std::vector<std::string> command(const std::string& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{program(GetParam().name)};
+    for (const std::string& word : GetParam().arguments)
+      words.push_back(word == "SURFACE" ? inputs / "octahedron.off"
+                      : word == "MESH"  ? inputs / "octahedron.node"
+                      : word == "OUT"   ? out
+                                        : word);
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Outcome run(const std::vector<std::string>& more = {}) const {
+    return run_program(command(outputs / "out.msh", more));
+  }
+
+  // The one line of an error: the program's name, then what is wrong; nothing on standard output.
+  void expect_refused(const Outcome& outcome) const {
+    EXPECT_EQ(outcome.exit_code, 2) << outcome;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines(outcome.err), 1u) << outcome;
+    EXPECT_THAT(outcome.err, StartsWith(GetParam().name + ": "));
+  }
+
+  ScratchFolder inputs, outputs;
+};
+
+INSTANTIATE_TEST_SUITE_P(Programs, CommonBehaviour, ::testing::ValuesIn(jobs), [](const auto& info) {
+  return std::to_string(info.index) + "_" + info.param.test_name();
+});
+
+TEST_P(CommonBehaviour, HelpShowsExamplesFirst) {
+  const Outcome help = run_program({program(GetParam().name), "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_THAT(help.out, StartsWith("Examples:\n"));
+  const std::string example = help.out.substr(10, help.out.find('\n', 10) - 10);
+  EXPECT_THAT(example, HasSubstr(GetParam().name + " "));
+  for (const char* option : {"--json", "--threads", "--quiet", "--version", "--help"})
+    EXPECT_THAT(help.out, HasSubstr(option));
+}
+
+TEST_P(CommonBehaviour, VersionNamesTheLibraries) {
+  const Outcome version = run_program({program(GetParam().name), "--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.err, "");
+  EXPECT_TRUE(std::regex_search(version.out, std::regex("^" + GetParam().name + " \\d+\\.\\d+\\.\\d+\n")))
+      << version;
+  for (const char* library : {"fmt", "Eigen", "oneTBB", "CLI11"})
+    EXPECT_TRUE(std::regex_search(version.out, std::regex("\n" + std::string(library) + " \\d+\\.\\d+")))
+        << version;
+}
+
+TEST_P(CommonBehaviour, SucceedsQuietly) {
+  const Outcome outcome = run({"--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outputs.names(),
+            GetParam().writes ? std::vector<std::string>{"out.msh"} : std::vector<std::string>{});
+}
+
+TEST_P(CommonBehaviour, WrongUsageIsOneLine) {
+  expect_refused(run_program({program(GetParam().name)}));
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--no-such-option"},
+                                                                                    {"--threads", "many"},
+                                                                                    {"--threads", "-1"},
+                                                                                    {"--json"},
+                                                                                    {"a", "b", "c", "d"}}) {
+    SCOPED_TRACE(more[0]);
+    expect_refused(run(more));
+    EXPECT_TRUE(outputs.names().empty());
+  }
+  EXPECT_THAT(run({"--no-such-option"}).err, HasSubstr("--no-such-option"));
+}
+
+TEST_P(CommonBehaviour, MissingInputIsNamed) {
+  for (std::size_t i = 0; i < GetParam().arguments.size(); ++i) {
+    std::vector<std::string> words = command(outputs / "out.msh");
+    if (GetParam().arguments[i] != "SURFACE" && GetParam().arguments[i] != "MESH") continue;
+    const std::string ending = words[i + 1].substr(words[i + 1].rfind('.'));
+    for (const std::string& input : {inputs / ("missing" + ending), inputs / ("line\nbreak" + ending)}) {
+      words[i + 1] = input;
+      const Outcome outcome = run_program(words);
+      expect_refused(outcome);
+      EXPECT_THAT(outcome.err, HasSubstr(ending));
+      EXPECT_TRUE(outputs.names().empty());
+    }
+  }
+}
+
+TEST_P(CommonBehaviour, JsonOnStandardOutputIsAllThatIsThere) {
+  const Outcome outcome = run({"--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_TRUE(json.is_object());
+  EXPECT_FALSE(json.empty());
+}
+
+TEST_P(CommonBehaviour, JsonInAFileIsTheSame) {
+  const std::string printed = run({"--json", "-"}).out;
+  const Outcome outcome = run({"--json", outputs / "out.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(outputs.read("out.json"), printed);
+}
+
+TEST_P(CommonBehaviour, SameBytesOnAnyNumberOfThreads) {
+  const Outcome one = run({"--threads", "1", "--json", "-"});
+  ASSERT_EQ(one.exit_code, 0) << one;
+  const std::string written = GetParam().writes ? outputs.read("out.msh") : "";
+  for (const char* threads : {"2", "3", "0"}) {
+    const Outcome more = run({"--threads", threads, "--json", "-"});
+    EXPECT_EQ(more.out, one.out) << threads << " threads";
+    EXPECT_TRUE(!GetParam().writes || outputs.read("out.msh") == written) << threads << " threads";
+  }
+}
+
+TEST_P(CommonBehaviour, UnwritableOutputLeavesNothing) {
+  outputs.write("file", "");
+  std::filesystem::create_directory(outputs / "folder.msh");
+  const std::vector<std::string> before = outputs.names();
+  for (const std::string& place : {outputs / "missing/out.msh", outputs / "file/out.msh",
+                                   outputs / "folder.msh", std::string("/dev/full")}) {
+    SCOPED_TRACE(place);
+    expect_refused(run_program(command(outputs / "out.msh", {"--json", place})));
+    if (GetParam().writes && place != "/dev/full") {  // its name has no ending that tells a format
+      const Outcome outcome = run_program(command(place));
+      expect_refused(outcome);
+      EXPECT_THAT(outcome.err, HasSubstr(place));
+    }
+    std::filesystem::remove(outputs / "out.msh");
+    EXPECT_EQ(outputs.names(), before);
+    EXPECT_TRUE(std::filesystem::is_empty(outputs / "folder.msh"));
+  }
+}
+
+TEST_P(CommonBehaviour, FullStandardOutputIsAnError) {
+  std::string line = "exec \"$0\" \"$@\" > /dev/full";
+  std::vector<std::string> words = command(outputs / "out.msh", {"--json", "-"});
+  words.insert(words.begin(), {"sh", "-c", line});
+  expect_refused(run_program(words));
+}
+
+TEST_P(CommonBehaviour, AnOlderOutputSurvivesAFailure) {
+  if (!GetParam().writes) GTEST_SKIP() << "writes no file";
+  outputs.write("out.msh", "older");
+  expect_refused(run({"--no-such-option"}));
+  std::vector<std::string> words = command(outputs / "out.msh");
+  std::filesystem::resize_file(inputs / "octahedron.off", 60);
+  std::filesystem::resize_file(inputs / "octahedron.ele", 12);
+  expect_refused(run_program(words));
+  EXPECT_EQ(outputs.read("out.msh"), "older");
+  EXPECT_EQ(outputs.names(), std::vector<std::string>{"out.msh"});
+}
+
+// The libraries that a program loads: those of its job, and never libgmsh with its hundred others.
+TEST(LinkedLibraries, OnlyWhatTheJobNeeds) {
+  struct Case {
+    const char* program;
+    std::vector<const char*> never;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"tetproof-mesh", {"libgmsh", "libvtk", "libtet.", "libgtest"}},
+                         {"tetproof-verify", {"libgmsh", "libvtk", "libtet.", "libgtest"}},
+                         {"tetproof-convert",
+                          {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb", "libgmp", "libmpfr"}}}) {
+    SCOPED_TRACE(c.program);
+    const Outcome ldd = run_program({"ldd", program(c.program)});
+    ASSERT_EQ(ldd.exit_code, 0) << ldd;
+    EXPECT_THAT(ldd.out, HasSubstr("libstdc++"));
+    for (const char* library : c.never) EXPECT_THAT(ldd.out, ::testing::Not(HasSubstr(library)));
+  }
+}
+
+}  // namespace
+}  // namespace tetproof::test
