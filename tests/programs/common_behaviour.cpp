@@ -76,8 +76,8 @@ class CommonBehaviour : public ::testing::TestWithParam<Job> {
   ScratchFolder inputs, outputs;
 };
 
-INSTANTIATE_TEST_SUITE_P(Programs, CommonBehaviour, ::testing::ValuesIn(jobs), [](const auto& info) {
-  return std::to_string(info.index) + "_" + info.param.test_name();
+INSTANTIATE_TEST_SUITE_P(Programs, CommonBehaviour, ::testing::ValuesIn(jobs), [](const auto& job) {
+  return std::to_string(job.index) + "_" + job.param.test_name();
 });
 
 TEST_P(CommonBehaviour, HelpShowsExamplesFirst) {
