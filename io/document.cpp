@@ -149,13 +149,4 @@ Document document_of(const TriangleSurface& surface) {
   return document_of_elements(surface.vertices, surface.triangles, io::triangle3, 2);
 }
 
-std::int32_t tag_set(Document& document, const std::vector<std::int64_t>& tags) {
-  const auto found = std::find(document.tag_sets.begin(), document.tag_sets.end(), tags);
-  if (found == document.tag_sets.end()) {
-    document.tag_sets.push_back(tags);
-    return static_cast<std::int32_t>(document.tag_sets.size() - 1);
-  }
-  return static_cast<std::int32_t>(found - document.tag_sets.begin());
-}
-
 }  // namespace tetproof

@@ -43,6 +43,16 @@ struct Entity {
   std::int64_t tag = 0;
   std::array<double, 6> box{};  ///< xmin ymin zmin xmax ymax zmax; a point's coordinates stand in both halves
   std::vector<std::int64_t> boundary{};  ///< signed tags of entities of one dimension less
+
+  // Of an entity that partitioning made:
+  int parent_dim = -1;          ///< -1: not partitioned
+  std::int64_t parent = 0;      ///< tag of the entity that it is a part of
+  std::int32_t partitions = 0;  ///< position in `Document::tag_sets`
+};
+
+/// An entity of the ghost elements of a partition.
+struct GhostEntity {
+  std::int64_t tag = 0, partition = 0;
 };
 
 /// The name of a physical group.
@@ -64,10 +74,11 @@ struct Values {
 /// A section of a .msh file that is kept as it stood.
 struct Section {
   std::string name;    ///< without the dollar sign
-  std::string body;    ///< from the end of the line `$name` to `$Endname`
+  std::string body;    ///< from after the line `$name` to `$Endname`
   std::string format;  ///< "msh22" or "msh41"
   bool binary = false;
   bool swapped = false;  ///< binary numbers of the other byte order than this machine's
+  bool before_nodes = false;
 };
 
 /// A mesh with everything its file said of it. Nothing is promised but that positions stay inside their
@@ -91,6 +102,8 @@ struct Document {
 
   std::vector<std::vector<std::int64_t>> tag_sets{{}};  ///< each once; 0 is the empty set
   std::vector<Entity> entities;
+  std::int64_t partitions = 0;  ///< how many; 0: not partitioned
+  std::vector<GhostEntity> ghosts;
   std::vector<GroupName> group_names;
   std::vector<Values> node_values;     ///< of all nodes; TetGen's are called "attributes" and "markers"
   std::vector<Values> element_values;  ///< of all elements, in their order
@@ -124,8 +137,5 @@ TriangleSurface surface_of(const Document&);
 Document document_of(const TetMesh&);
 /// Triangles in surface 1, numbered from 1, indices as above.
 Document document_of(const TriangleSurface&);
-
-/// The position of a set of tags in `document.tag_sets`, which it joins if it is new.
-std::int32_t tag_set(Document& document, const std::vector<std::int64_t>& tags);
 
 }  // namespace tetproof

@@ -27,6 +27,7 @@ std::string ending_of(const std::string& path) {
 const std::vector<Format>& formats() {
   static const std::vector<Format> all{
       {.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
+      {.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
       {.name = "vtu", .what = "VTK XML unstructured grid", .endings = {".vtu"}},
   };
   return all;
@@ -52,11 +53,19 @@ const Format& format_named(const std::string& name) {
   throw InputError(fmt::format("unknown format '{}', expected one of {}", name, fmt::join(known, " ")));
 }
 
+Document read_document(const std::string& path) {
+  const Format& format = format_of(path);
+  if (format.name == "msh41") return io::read_msh(InputFile(path));
+  throw InputError(fmt::format("{}: {} cannot be read yet", path, format.what));
+}
+
 void write_document(const std::string& path, const Document& document, const WriteOptions& options) {
   const Format& format = options.format.empty() ? format_of(path) : format_named(options.format);
   AtomicFile file(path);
   if (format.name == "msh41")
     io::write_msh41(file, document, options.binary.value_or(false));
+  else if (format.name == "msh22")
+    io::write_msh22(file, document, options.binary.value_or(false));
   else if (format.name == "vtu")
     io::write_vtu(file, document, options.binary.value_or(true));
   file.commit();

@@ -1,122 +1,158 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes .msh 4.1, ASCII and binary (of this machine's byte order, which the file names).
+// Writes .msh 4.1.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <stdexcept>
 
+#include "io/error.hpp"
 #include "io/msh.hpp"
 #include "io/msh_entities.hpp"
-#include "io/text_output.hpp"
+#include "io/msh_write.hpp"
 
 namespace tetproof::io {
 namespace {
 
+template <bool Binary>
 class Writer {
  public:
   Writer(AtomicFile& file, const Document& document)
-      : file_(file), document_(document), plan_(plan_entities(document)) {}
+      : file_(file), document_(document), plan_(plan_entities(document)) {
+    for (std::size_t b = 0; b < document.blocks.size(); ++b)
+      if (msh_holds(document, document.blocks[b], "msh41", Binary)) blocks_.push_back(b);
+  }
 
   void write() {
-    file_.write("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
-    names();
-    entities();
+    file_.write(msh_header("4.1", Binary));
+    file_.write(msh_kept_sections(document_, "msh41", Binary, true));
+    file_.write(msh_names(document_));
+    entities(false);
+    if (document_.partitions > 0) entities(true);
     nodes();
     elements();
+    file_.write(msh_kept_sections(document_, "msh41", Binary, false));
   }
 
  private:
-  void names() {
-    if (document_.group_names.empty()) return;
-    std::string text = fmt::format("$PhysicalNames\n{}\n", document_.group_names.size());
-    for (const GroupName& name : document_.group_names)
-      text += fmt::format("{} {} \"{}\"\n", name.dim, name.group, name.name);
-    file_.write(text + "$EndPhysicalNames\n");
+  void end(const char* section) { file_.write(fmt::format("{}$End{}\n", Binary ? "\n" : "", section)); }
+
+  void entities(bool partitioned) {
+    file_.write(partitioned ? "$PartitionedEntities\n" : "$Entities\n");
+    if (partitioned) {
+      file_.write(line<Binary>(1, [&](auto& out) { out.size(document_.partitions); }));
+      file_.write(line<Binary>(1, [&](auto& out) { out.size(document_.ghosts.size()); }));
+      for (const GhostEntity& ghost : document_.ghosts)
+        file_.write(
+            line<Binary>(2, [&](auto& out) { out.integer(ghost.tag), out.integer(ghost.partition); }));
+    }
+    std::array<std::int64_t, 4> counts{};
+    for (const Entity& entity : plan_.entities) counts[entity.dim] += (entity.parent_dim >= 0) == partitioned;
+    file_.write(line<Binary>(4, [&](auto& out) {
+      for (std::int64_t count : counts) out.size(count);
+    }));
+    for (const Entity& entity : plan_.entities) {
+      if ((entity.parent_dim >= 0) != partitioned) continue;
+      const auto& groups = document_.tag_sets[entity.groups];
+      const auto& partitions = document_.tag_sets[entity.partitions];
+      const std::size_t numbers = 12 + groups.size() + partitions.size() + entity.boundary.size();
+      file_.write(line<Binary>(numbers, [&](auto& out) {
+        integer(out, entity.tag);
+        if (partitioned) {
+          out.integer(entity.parent_dim), integer(out, entity.parent);
+          set(out, partitions);
+        }
+        for (int k = 0; k < (entity.dim == 0 ? 3 : 6); ++k) out.real(entity.box[k]);
+        set(out, groups);
+        if (entity.dim > 0) set(out, entity.boundary);
+      }));
+    }
+    end(partitioned ? "PartitionedEntities" : "Entities");
   }
 
-  void entities() {
-    std::array<std::size_t, 4> counts{};
-    for (const Entity& entity : plan_.entities) ++counts[entity.dim];
-    std::string text = fmt::format("$Entities\n{}\n", fmt::join(counts, " "));
-    for (const Entity& entity : plan_.entities) {
-      text += fmt::format("{}", entity.tag);
-      for (int k = 0; k < (entity.dim == 0 ? 3 : 6); ++k) {
-        char buffer[longest_real];
-        text += ' ';
-        text.append(buffer, put(buffer, entity.box[k]));
-      }
-      const auto& groups = plan_.tag_sets[entity.groups];
-      text += fmt::format(" {} {}", groups.size(), fmt::join(groups, " "));
-      if (!groups.empty()) text += ' ';
-      if (entity.dim > 0)
-        text += fmt::format("{} {}", entity.boundary.size(), fmt::join(entity.boundary, " "));
-      text += '\n';
-    }
-    file_.write(text + "$EndEntities\n");
+  void set(auto& out, const std::vector<std::int64_t>& tags) {
+    out.size(tags.size());
+    for (std::int64_t tag : tags) integer(out, tag);
+  }
+
+  // Tags of entities and groups are 4 bytes in binary.
+  void integer(auto& out, std::int64_t tag) {
+    if (Binary && (tag > largest_int || tag < -largest_int - 1))
+      throw InputError(
+          fmt::format("{}: entity or group {} is too large for binary .msh, which gives it 4 bytes",
+                      document_.path, tag));
+    out.integer(tag);
   }
 
   void nodes() {
     const auto [least, most] =
-        range(document_.points.size(), [&](std::size_t i) { return document_.node_tag(i); });
-    file_.write(
-        fmt::format("$Nodes\n{} {} {} {}\n", plan_.node_blocks.size(), document_.points.size(), least, most));
+        range_of(document_.points.size(), [&](std::size_t i) { return document_.node_tag(i); });
+    file_.write("$Nodes\n");
+    file_.write(line<Binary>(4, [&, low = least, high = most](auto& out) {
+      out.size(plan_.node_blocks.size()), out.size(document_.points.size()), out.size(low), out.size(high);
+    }));
     for (const NodeBlock& block : plan_.node_blocks) {
-      file_.write(fmt::format("{} {} {} {}\n", block.dim, block.entity, block.parameters_each > 0 ? 1 : 0,
-                              block.count));
-      write_items(file_, block.count, longest_integer + 1, [&](std::size_t i, char* to) {
-        return put(put(to, document_.node_tag(block.first + i)), '\n');
-      });
       const int each = block.parameters_each;
-      write_items(file_, block.count, (3 + each) * (longest_real + 1), [&](std::size_t i, char* to) {
-        const Eigen::Vector3d& p = document_.points[block.first + i];
-        to = put(put(put(put(put(to, p.x()), ' '), p.y()), ' '), p.z());
-        for (int k = 0; k < each; ++k)
-          to = put(put(to, ' '), document_.parameters[block.parameters + i * each + k]);
-        return put(to, '\n');
+      file_.write(line<Binary>(4, [&](auto& out) {
+        out.integer(block.dim), integer(out, block.entity), out.integer(each > 0), out.size(block.count);
+      }));
+      write_items(file_, block.count, Putter<Binary>::longest, [&](std::size_t i, char* to) {
+        Putter<Binary> out{to};
+        out.size(document_.node_tag(block.first + i));
+        out.end_line();
+        return out.to;
+      });
+      write_items(file_, block.count, (3 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
+        Putter<Binary> out{to};
+        for (double x : document_.points[block.first + i]) out.real(x);
+        for (int k = 0; k < each; ++k) out.real(document_.parameters[block.parameters + i * each + k]);
+        out.end_line();
+        return out.to;
       });
     }
-    file_.write("$EndNodes\n");
+    end("Nodes");
   }
 
   void elements() {
-    const std::size_t total = document_.elements();
-    const auto [least, most] = range(total, [&](std::size_t i) { return document_.element_tag(i); });
-    file_.write(fmt::format("$Elements\n{} {} {} {}\n", document_.blocks.size(), total, least, most));
-    for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
+    std::int64_t least = 0, most = 0, total = 0;
+    for (std::size_t b : blocks_) {
       const ElementBlock& block = document_.blocks[b];
-      file_.write(fmt::format("{} {} {} {}\n", block.dim, plan_.block_tags[b], block.type, block.count));
+      const auto range =
+          range_of(block.count, [&](std::size_t i) { return document_.element_tag(block.first + i); });
+      least = total == 0 ? range.first : std::min(least, range.first);
+      most = total == 0 ? range.second : std::max(most, range.second);
+      total += block.count;
+    }
+    file_.write("$Elements\n");
+    file_.write(line<Binary>(
+        4, [&](auto& out) { out.size(blocks_.size()), out.size(total), out.size(least), out.size(most); }));
+    for (std::size_t b : blocks_) {
+      const ElementBlock& block = document_.blocks[b];
       const int each = block.nodes_each;
-      write_items(file_, block.count, (1 + each) * (longest_integer + 1), [&](std::size_t i, char* to) {
-        to = put(to, document_.element_tag(block.first + i));
+      file_.write(line<Binary>(4, [&](auto& out) {
+        out.integer(block.dim), integer(out, plan_.block_tags[b]), out.integer(block.type),
+            out.size(block.count);
+      }));
+      write_items(file_, block.count, (1 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
+        Putter<Binary> out{to};
+        out.size(document_.element_tag(block.first + i));
         const Index* node = document_.connectivity.data() + block.nodes + i * each;
-        for (int k = 0; k < each; ++k) to = put(put(to, ' '), document_.named(node[k]));
-        return put(to, '\n');
+        for (int k = 0; k < each; ++k) out.size(document_.named(node[k]));
+        out.end_line();
+        return out.to;
       });
     }
-    file_.write("$EndElements\n");
-  }
-
-  template <class Tag>
-  static std::pair<std::int64_t, std::int64_t> range(std::size_t count, const Tag& tag) {
-    std::int64_t least = 0, most = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      least = i == 0 ? tag(i) : std::min(least, tag(i));
-      most = i == 0 ? tag(i) : std::max(most, tag(i));
-    }
-    return {least, most};
+    end("Elements");
   }
 
   AtomicFile& file_;
   const Document& document_;
   const EntityPlan plan_;
+  std::vector<std::size_t> blocks_;  // those that are written
 };
 
 }  // namespace
 
 void write_msh41(AtomicFile& file, const Document& document, bool binary) {
-  if (binary) throw std::logic_error("msh41 binary");
-  Writer(file, document).write();
+  binary ? Writer<true>(file, document).write() : Writer<false>(file, document).write();
 }
 
 }  // namespace tetproof::io

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -25,15 +24,12 @@ void grow(std::array<double, 6>& box, const Eigen::Vector3d& point) {
 
 class Planner {
  public:
-  Planner(const Document& document, const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere)
-      : document_(document), elsewhere_(listed_elsewhere.begin(), listed_elsewhere.end()) {
-    plan_.tag_sets = document.tag_sets;
+  explicit Planner(const Document& document) : document_(document) {
     for (const Entity& entity : document.entities) {
       plan_.entities.push_back(entity);
       known_.try_emplace({entity.dim, entity.tag}, entity.groups);
       largest_[entity.dim] = std::max(largest_[entity.dim], entity.tag);
     }
-    for (const auto& [dim, tag] : elsewhere_) largest_[dim] = std::max(largest_[dim], tag);
     for (const ElementBlock& block : document.blocks)
       largest_[block.dim] = std::max(largest_[block.dim], block.entity);
     for (const NodeBlock& block : document.node_blocks)
@@ -74,7 +70,6 @@ class Planner {
   }
 
   std::int64_t find_tag(int dim, std::int64_t tag, std::int32_t groups) {
-    if (tag != 0 && elsewhere_.count({dim, tag})) return tag;
     if (const auto renamed = renamed_.find({dim, tag, groups}); renamed != renamed_.end())
       return renamed->second;
     if (tag != 0) {
@@ -109,8 +104,7 @@ class Planner {
     for (NodeBlock block : document_.node_blocks) {
       give(block.first);
       covered = block.first + block.count;
-      if (block.entity == 0 ||
-          (!known_.count({block.dim, block.entity}) && !elsewhere_.count({block.dim, block.entity})))
+      if (block.entity == 0 || !known_.count({block.dim, block.entity}))
         block.entity = tag_for(block.dim, block.entity, 0);
       add_node_block(block);
     }
@@ -125,7 +119,6 @@ class Planner {
   }
 
   const Document& document_;
-  std::set<std::pair<int, std::int64_t>> elsewhere_;
   EntityPlan plan_;
   std::map<std::pair<int, std::int64_t>, std::int32_t> known_;
   std::map<std::tuple<int, std::int64_t, std::int32_t>, std::int64_t> renamed_;
@@ -138,9 +131,8 @@ class Planner {
 
 }  // namespace
 
-EntityPlan plan_entities(const Document& document,
-                         const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere) {
-  return Planner(document, listed_elsewhere).plan();
+EntityPlan plan_entities(const Document& document) {
+  return Planner(document).plan();
 }
 
 }  // namespace tetproof::io

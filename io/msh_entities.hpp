@@ -10,8 +10,7 @@
 namespace tetproof::io {
 
 struct EntityPlan {
-  std::vector<Entity> entities;  ///< by dimension, else in the document's order, new ones last
-  std::vector<std::vector<std::int64_t>> tag_sets;
+  std::vector<Entity> entities;          ///< by dimension, else in the document's order, new ones last
   std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
   std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
   std::size_t changed_blocks =
@@ -20,8 +19,6 @@ struct EntityPlan {
 };
 
 /// In 4.1 groups belong to entities: blocks of one entity with different groups become different entities.
-/// `listed_elsewhere`: entities that a section kept verbatim defines, which are not to be listed again.
-EntityPlan plan_entities(const Document& document,
-                         const std::vector<std::pair<int, std::int64_t>>& listed_elsewhere = {});
+EntityPlan plan_entities(const Document& document);
 
 }  // namespace tetproof::io

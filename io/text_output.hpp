@@ -47,6 +47,13 @@ template <class FormatItem>
 void write_items(AtomicFile& file, std::size_t count, std::size_t longest, const FormatItem& format) {
   constexpr std::size_t chunk_bytes = 1 << 18;
   const std::size_t chunk = std::max<std::size_t>(1, chunk_bytes / longest);
+  if (count <= chunk) {  // the many short lists of some files are not worth a thread
+    std::string bytes(count * longest, '\0');
+    char* at = bytes.data();
+    for (std::size_t i = 0; i < count; ++i) at = format(i, at);
+    file.write({bytes.data(), static_cast<std::size_t>(at - bytes.data())});
+    return;
+  }
   const std::size_t batch =
       4 * static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
   struct Buffer {

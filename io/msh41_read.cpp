@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sections of .msh 4.1.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/element_types.hpp"
+#include "io/msh_sections.hpp"
+
+namespace tetproof::io {
+namespace {
+
+int read_dim(Numbers& in) {
+  const std::int64_t dim = in.integer("the dimension of an entity");
+  if (dim < 0 || dim > 3) in.fail(fmt::format("expected the dimension of an entity, 0 to 3, found {}", dim));
+  return static_cast<int>(dim);
+}
+
+std::vector<std::int64_t> read_tags(Numbers& in, const char* how_many, const char* one) {
+  std::vector<std::int64_t> tags(in.count(how_many, 2, 4));
+  for (std::int64_t& tag : tags) tag = in.integer(one);
+  return tags;
+}
+
+void read_entity(Numbers& in, int dim, bool partitioned, TagSets& sets, Entity& entity) {
+  entity.dim = dim;
+  entity.tag = in.integer("the tag of an entity");
+  if (partitioned) {
+    entity.parent_dim = static_cast<int>(in.integer("the dimension of the parent entity"));
+    entity.parent = in.integer("the tag of the parent entity");
+    entity.partitions = sets(read_tags(in, "the number of partitions", "a partition"));
+  }
+  const int values = dim == 0 ? 3 : 6;
+  for (int k = 0; k < values; ++k) entity.box[k] = in.real("a coordinate of an entity's box");
+  if (dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
+  entity.groups = sets(read_tags(in, "the number of physical groups", "a physical group"));
+  if (dim > 0)
+    entity.boundary = read_tags(in, "the number of bounding entities", "the tag of a bounding entity");
+}
+
+void read_all_entities(Numbers& in, bool partitioned, Document& document, TagSets& sets) {
+  std::size_t counts[4];
+  for (std::size_t& count : counts)
+    count = in.count("the number of entities", partitioned ? 14 : 10, partitioned ? 52 : 36);
+  for (int dim = 0; dim < 4; ++dim) {
+    in.check_count(static_cast<std::int64_t>(counts[dim]), "the number of entities", in.binary() ? 36 : 10);
+    const std::size_t start = append(document.entities, counts[dim]);
+    for (std::size_t i = 0; i < counts[dim]; ++i)
+      read_entity(in, dim, partitioned, sets, document.entities[start + i]);
+  }
+}
+
+// Elements of `each` nodes; `document.blocks.back()` is theirs.
+void read_block(Numbers& in, std::size_t count, int each, Document& document, NodeIndex& index, Tags& tags) {
+  const std::size_t first = document.blocks.back().first;
+  Index* node = document.connectivity.data() + append(document.connectivity, count * each);
+  for (std::size_t e = 0; e < count; ++e) {
+    tags.add(first + e, in.size("the tag of an element"));
+    for (int k = 0; k < each; ++k) *node++ = index(in.size("the tag of a node"));
+  }
+}
+
+}  // namespace
+
+void check_node_count(const Numbers& in, std::size_t nodes) {
+  if (nodes > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    in.fail(fmt::format("{} nodes are more than the {} that can be numbered here", nodes,
+                        std::numeric_limits<Index>::max()));
+}
+
+void read_entities41(Numbers& in, Document& document, TagSets& sets) {
+  read_all_entities(in, false, document, sets);
+}
+
+void read_partitioned_entities41(Numbers& in, Document& document, TagSets& sets) {
+  document.partitions = in.size("the number of partitions");
+  const std::int64_t ghosts = in.count("the number of ghost entities", 4, 8);
+  for (std::int64_t g = 0; g < ghosts; ++g) {
+    const std::int64_t tag = in.integer("the tag of a ghost entity");
+    document.ghosts.push_back({tag, in.integer("the partition of a ghost entity")});
+  }
+  read_all_entities(in, true, document, sets);
+}
+
+void read_nodes41(Numbers& in, Document& document) {
+  const std::int64_t blocks = in.count("the number of node blocks", 8, 20);
+  const std::int64_t total = in.count("the number of nodes", 8, 32);
+  in.size("the least node tag");
+  in.size("the largest node tag");
+  Tags tags(document.node_tags, document.first_node);
+  const std::size_t before = document.points.size();
+  check_node_count(in, before + total);
+  document.points.reserve(before + total);
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    NodeBlock block{.dim = read_dim(in)};
+    block.entity = in.integer("the tag of an entity");
+    const std::int64_t parametric = in.integer("0 or 1 for parametric coordinates");
+    if (parametric != 0 && parametric != 1)
+      in.fail(fmt::format("expected 0 or 1 for parametric coordinates, found {}", parametric));
+    block.parameters_each = parametric ? block.dim : 0;
+    block.first = document.points.size();
+    block.count = in.count("the number of nodes in a block", 8, 32);
+    if (block.count > before + total - block.first)
+      in.fail(fmt::format("expected at most {} nodes in a block, as $Nodes says, found {}",
+                          before + total - block.first, block.count));
+    for (std::size_t i = 0; i < block.count; ++i) tags.add(block.first + i, in.size("the tag of a node"));
+    block.parameters = append(document.parameters, block.count * block.parameters_each);
+    double* parameter = document.parameters.data() + block.parameters;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const double x = in.real("a coordinate"), y = in.real("a coordinate"), z = in.real("a coordinate");
+      document.points.emplace_back(x, y, z);
+      for (int k = 0; k < block.parameters_each; ++k) *parameter++ = in.real("a parametric coordinate");
+    }
+    if (block.count > 0) document.node_blocks.push_back(block);
+  }
+  if (document.points.size() != before + total)
+    in.fail(
+        fmt::format("expected {} nodes, as $Nodes says, found {}", total, document.points.size() - before));
+}
+
+void read_elements41(Numbers& in, Document& document, NodeIndex& index) {
+  const std::int64_t blocks = in.count("the number of element blocks", 8, 20);
+  const std::int64_t total = in.count("the number of elements", 4, 16);
+  in.size("the least element tag");
+  in.size("the largest element tag");
+  Tags tags(document.element_tags, document.first_element);
+  const std::size_t before = document.elements();
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    ElementBlock block{.dim = read_dim(in)};
+    block.entity = in.integer("the tag of an entity");
+    const std::int64_t number = in.integer("an element type");
+    block.type = static_cast<int>(std::clamp<std::int64_t>(number, 0, std::numeric_limits<int>::max()));
+    const ElementType* type = element_type(block.type);
+    if (block.type != number || (!type && in.binary()))
+      in.fail(fmt::format("unknown element type {}", number));
+    const std::size_t count = in.count("the number of elements in a block", 4, 16);
+    block.first = document.elements();
+    block.nodes = document.connectivity.size();
+    if (count > before + total - block.first)
+      in.fail(fmt::format("expected at most {} elements in a block, as $Elements says, found {}",
+                          before + total - block.first, count));
+    if (count == 0) continue;
+    if (type) {
+      block.nodes_each = type->nodes;
+      block.count = count;
+      in.check_count(static_cast<std::int64_t>(count), "the number of elements in a block",
+                     (1 + block.nodes_each) * (in.binary() ? 8 : 2));
+      document.blocks.push_back(block);
+      read_block(in, count, block.nodes_each, document, index, tags);
+      continue;
+    }
+    // How many nodes it has, only its line says.
+    for (std::size_t e = 0; e < count; ++e) {
+      in.skip_blanks();
+      block.nodes_each = in.words_in_line() - 1;
+      if (block.nodes_each < 1)
+        in.fail(fmt::format("expected an element of type {}: its tag and its nodes", number));
+      block.first = document.elements();
+      block.nodes = document.connectivity.size();
+      block.count = 1;
+      document.blocks.push_back(block);
+      read_block(in, 1, block.nodes_each, document, index, tags);
+    }
+  }
+  if (document.elements() != before + total)
+    in.fail(fmt::format("expected {} elements, as $Elements says, found {}", total,
+                        document.elements() - before));
+}
+
+}  // namespace tetproof::io

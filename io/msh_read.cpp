@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame of a .msh file: its header, its sections, and what holds for all of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "io/element_types.hpp"
+#include "io/error.hpp"
+#include "io/msh.hpp"
+#include "io/msh_sections.hpp"
+
+namespace tetproof::io {
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const InputFile& file) : file_(file), in_(file), sets_(document_) {
+    document_.path = file.path();
+  }
+
+  Document read() {
+    while (!in_.at_end()) {
+      const std::size_t start = in_.offset();
+      const std::string_view word = in_.word();
+      if (word == "$NOD" || word == "$NOE") refuse_version("1");
+      if (word.size() < 2 || word[0] != '$') {
+        if (!has_nodes_ || !has_elements_) in_.fail("a section ($Name)", word);
+        document_.warnings.push_back(fmt::format("{}: byte {}: {} bytes after the last section are ignored",
+                                                 file_.path(), start, file_.bytes().size() - start));
+        break;
+      }
+      const std::string name(word.substr(1));
+      if (document_.format.empty() && name != "MeshFormat" && name != "Comments")
+        in_.fail("$MeshFormat", word);
+      in_.next_line();
+      section(name);
+    }
+    if (document_.format.empty()) in_.fail("$MeshFormat", {});
+    if (!has_nodes_) in_.fail("a section $Nodes", {});
+    if (!has_elements_) in_.fail("a section $Elements", {});
+    finish();
+    return std::move(document_);
+  }
+
+ private:
+  void section(const std::string& name) {
+    const bool new_version = document_.format == "msh41";
+    if (name == "MeshFormat") {
+      format();
+    } else if (name == "PhysicalNames") {
+      physical_names();
+    } else if (name == "Nodes" || (name == "ParametricNodes" && !new_version)) {
+      nodes(name == "ParametricNodes");
+    } else if (name == "Elements") {
+      elements();
+    } else if (name == "Entities" && new_version) {
+      Numbers numbers = numbers_here();
+      read_entities41(numbers, document_, sets_);
+      go_to(numbers.offset());
+    } else if (name == "PartitionedEntities" && new_version) {
+      Numbers numbers = numbers_here();
+      read_partitioned_entities41(numbers, document_, sets_);
+      go_to(numbers.offset());
+    } else {
+      keep(name);
+      return;
+    }
+    const std::string end = "$End" + name;
+    const std::string_view word = in_.word();
+    if (word != end) in_.fail(end, word);
+  }
+
+  void format() {
+    if (!document_.format.empty()) in_.fail_in_line("a second $MeshFormat");
+    const std::string_view version = in_.word();
+    double number = 0;
+    if (!parse_real(version, number)) in_.fail("a version of the format", version);
+    if (number != 4.1 && !(number >= 2 && number < 3)) refuse_version(version);
+    document_.format = number == 4.1 ? "msh41" : "msh22";
+    partition_counts_ = number >= 2.2;
+    const std::int64_t kind = in_.integer("0 for text or 1 for binary");
+    if (kind != 0 && kind != 1)
+      in_.fail_in_line(fmt::format("expected 0 for text or 1 for binary, found {}", kind));
+    binary_ = kind == 1;
+    const std::int64_t size = in_.integer("the size of a number in bytes");
+    if (!binary_) return;
+    if (size != 8) in_.fail_in_line(fmt::format("expected binary numbers of 8 bytes, found {}", size));
+    in_.next_line();
+    const std::size_t place = in_.offset();
+    const std::string_view one = in_.raw(4, "the number 1 that tells the byte order");
+    Numbers as_here(file_.path(), one, 0, true, false), swapped(file_.path(), one, 0, true, true);
+    if (as_here.integer("") == 1) return;
+    swapped_ = swapped.integer("") == 1;
+    if (!swapped_) {
+      go_to(place);
+      in_.fail_at_byte("expected the number 1 that tells the byte order");
+    }
+  }
+
+  [[noreturn]] void refuse_version(std::string_view version) {
+    in_.fail_in_line(
+        fmt::format("this is a .msh file of version {}; versions 2.0 to 2.2 and 4.1 are read", version));
+  }
+
+  void physical_names() {
+    const std::int64_t count = in_.count("the number of physical names", 6);
+    for (std::int64_t i = 0; i < count; ++i) {
+      GroupName name;
+      name.dim = static_cast<int>(in_.integer("the dimension of a physical group"));
+      name.group = in_.integer("the number of a physical group");
+      in_.at_line_end();
+      const std::string_view line = in_.rest_of_line();
+      const std::size_t from = line.find('"'), to = line.rfind('"');
+      if (from == std::string_view::npos || to == from) in_.fail("a name in double quotes", line);
+      name.name = line.substr(from + 1, to - from - 1);
+      document_.group_names.push_back(std::move(name));
+    }
+  }
+
+  void nodes(bool parametric) {
+    has_nodes_ = true;
+    nodes_came_later_ = has_elements_;
+    index_.reset();
+    if (document_.format == "msh41") {
+      Numbers numbers = numbers_here();
+      read_nodes41(numbers, document_);
+      go_to(numbers.offset());
+      return;
+    }
+    const std::int64_t count = in_.count("the number of nodes", binary_ ? 28 : 8);
+    if (binary_) in_.next_line();
+    Numbers numbers = numbers_here();
+    read_nodes22(numbers, count, parametric, document_);
+    go_to(numbers.offset());
+  }
+
+  void elements() {
+    has_elements_ = true;
+    if (!index_) index_.emplace(document_);
+    if (document_.format == "msh41") {
+      Numbers numbers = numbers_here();
+      read_elements41(numbers, document_, *index_);
+      go_to(numbers.offset());
+      return;
+    }
+    const std::int64_t count = in_.count("the number of elements", 8);
+    if (binary_) in_.next_line();
+    Numbers numbers = numbers_here();
+    read_elements22(numbers, count, partition_counts_, document_, *index_, sets_);
+    go_to(numbers.offset());
+  }
+
+  void keep(const std::string& name) {
+    const std::string end = "$End" + name;
+    const std::size_t start = in_.offset();
+    const std::string_view bytes = file_.bytes();
+    std::size_t stop = start;
+    for (;; ++stop) {
+      stop = bytes.find(end, stop);
+      if (stop == std::string_view::npos) in_.fail_in_line(fmt::format("section ${} has no {}", name, end));
+      const std::size_t after = stop + end.size();
+      const bool starts_line = binary_ || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
+      if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' ')) break;
+    }
+    document_.sections.push_back({.name = name,
+                                  .body = std::string(bytes.substr(start, stop - start)),
+                                  .format = document_.format,
+                                  .binary = binary_,
+                                  .swapped = swapped_,
+                                  .before_nodes = !has_nodes_});
+    go_to(stop + end.size());
+  }
+
+  void finish() {
+    if (nodes_came_later_ && !document_.unknown.empty()) find_late_nodes();
+    if (document_.format == "msh41") {
+      std::map<std::pair<int, std::int64_t>, const Entity*> entities;
+      for (const Entity& entity : document_.entities) entities.try_emplace({entity.dim, entity.tag}, &entity);
+      for (ElementBlock& block : document_.blocks) {
+        const auto found = entities.find({block.dim, block.entity});
+        if (found == entities.end()) continue;
+        block.groups = found->second->groups;
+        block.partitions = found->second->partitions;
+      }
+    }
+    const std::vector<std::int64_t>& given = document_.element_tags;
+    if (std::is_sorted(given.begin(), given.end(), std::less_equal<>())) return;  // strictly ascending
+    std::vector<std::int64_t> tags = given;
+    std::sort(tags.begin(), tags.end());
+    const auto twice = std::adjacent_find(tags.begin(), tags.end());
+    if (twice != tags.end())
+      document_.warnings.push_back(
+          fmt::format("{}: several elements have the tag {} (the first such)", file_.path(), *twice));
+  }
+
+  // Elements stood before their nodes.
+  void find_late_nodes() {
+    std::vector<std::int64_t> unknown;
+    unknown.swap(document_.unknown);
+    NodeIndex index(document_);
+    for (Index& node : document_.connectivity)
+      if (node < 0) node = index(unknown[-1 - node]);
+  }
+
+  Numbers numbers_here() const { return {file_.path(), file_.bytes(), in_.offset(), binary_, swapped_}; }
+  void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
+
+  const InputFile& file_;
+  Scanner in_;
+  Document document_;
+  TagSets sets_;
+  std::optional<NodeIndex> index_;
+  bool binary_ = false, swapped_ = false, partition_counts_ = true;
+  bool has_nodes_ = false, has_elements_ = false, nodes_came_later_ = false;
+};
+
+}  // namespace
+
+Document read_msh(const InputFile& file) {
+  return Reader(file).read();
+}
+
+}  // namespace tetproof::io
