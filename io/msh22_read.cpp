@@ -66,36 +66,75 @@ class ElementReader {
       in_.fail(fmt::format("expected an element type, found {}", number));
   }
 
+  // Physical, elementary, partitions: what the element belongs to.
   void read_element_tags(std::int64_t count) {
-    element_tags_.resize(count);
-    for (std::int64_t& tag : element_tags_)
+    tags_read_.resize(count);
+    for (std::int64_t& tag : tags_read_)
       tag = in_.integer("an element's physical, elementary or partition tag");
+    if (tags_read_ == last_tags_) return;
+    last_tags_ = tags_read_;
+    group_ = count > 0 ? tags_read_[0] : 0;
+    entity_ = count > 1 ? tags_read_[1] : 0;
+    groups_ = group_ != 0 ? sets_({group_}) : 0;
+    partitions_ = 0;
+    if (count > 2 && !partition_counts_) partitions_ = sets_({tags_read_[2]});
+    if (count > 3 && partition_counts_) {
+      const auto named = tags_read_.begin() + 3;
+      partitions_ = sets_({named, named + std::clamp<std::int64_t>(tags_read_[2], 0, count - 3)});
+    }
   }
 
   void add(std::int64_t tag, int each) {
-    if (document_.blocks.empty() || document_.blocks.back().type != number_ ||
-        document_.blocks.back().nodes_each != each || element_tags_ != block_tags_)
-      start_block(each);
-    ElementBlock& block = document_.blocks.back();
+    nodes_.resize(each);
+    for (Index& node : nodes_) node = index_(in_.integer("the tag of a node"));
+    if (repeats_last()) {
+      const ElementBlock last = document_.blocks.back();
+      std::vector<std::int64_t> groups = document_.tag_sets[last.groups];
+      groups.push_back(group_);
+      if (--document_.blocks.back().count == 0) document_.blocks.pop_back();
+      ++block_for(each, sets_(groups)).count;
+      return;
+    }
+    ElementBlock& block = block_for(each, groups_);
     tags_.add(block.first + block.count++, tag);
-    for (int k = 0; k < each; ++k) document_.connectivity.push_back(index_(in_.integer("the tag of a node")));
+    document_.connectivity.insert(document_.connectivity.end(), nodes_.begin(), nodes_.end());
   }
 
-  void start_block(int each) {
-    const std::vector<std::int64_t>& tags = element_tags_;
-    ElementBlock block{.type = static_cast<int>(number_), .dim = type_ ? type_->dim : 3, .nodes_each = each};
-    if (tags.size() > 0 && tags[0] != 0) block.groups = sets_({tags[0]});
-    if (tags.size() > 1) block.entity = tags[1];
-    if (tags.size() > 2 && !partition_counts_) block.partitions = sets_({tags[2]});
-    if (tags.size() > 3 && partition_counts_) {
-      const std::size_t named =
-          std::clamp<std::int64_t>(tags[2], 0, static_cast<std::int64_t>(tags.size()) - 3);
-      block.partitions = sets_({tags.begin() + 3, tags.begin() + 3 + static_cast<std::ptrdiff_t>(named)});
+  // An element in several physical groups stands once for each of them: the last one again, but for its group
+  // and its tag.
+  bool repeats_last() const {
+    if (document_.blocks.empty() || group_ == 0) return false;
+    const ElementBlock& last = document_.blocks.back();
+    if (!same_but_groups(last, static_cast<int>(nodes_.size())) ||
+        !std::equal(nodes_.begin(), nodes_.end(), document_.connectivity.end() - last.nodes_each))
+      return false;
+    const auto& groups = document_.tag_sets[last.groups];
+    return !groups.empty() && std::find(groups.begin(), groups.end(), group_) == groups.end();
+  }
+
+  bool same_but_groups(const ElementBlock& block, int each) const {
+    return block.type == number_ && block.nodes_each == each && block.entity == entity_ &&
+           block.partitions == partitions_;
+  }
+
+  // The last block if the next element belongs to it, or a new one.
+  ElementBlock& block_for(int each, std::int32_t groups) {
+    if (document_.blocks.empty() || !same_but_groups(document_.blocks.back(), each) ||
+        document_.blocks.back().groups != groups) {
+      ElementBlock block{.type = static_cast<int>(number_),
+                         .dim = type_ ? type_->dim : 3,
+                         .entity = entity_,
+                         .groups = groups,
+                         .partitions = partitions_,
+                         .nodes_each = each};
+      block.first = document_.elements();
+      block.nodes = document_.blocks.empty()
+                        ? 0
+                        : document_.blocks.back().nodes +
+                              document_.blocks.back().count * document_.blocks.back().nodes_each;
+      document_.blocks.push_back(block);
     }
-    block.first = document_.elements();
-    block.nodes = document_.connectivity.size();
-    document_.blocks.push_back(block);
-    block_tags_ = tags;
+    return document_.blocks.back();
   }
 
   Numbers& in_;
@@ -106,7 +145,10 @@ class ElementReader {
   Tags tags_;
   std::int64_t number_ = -1;
   const ElementType* type_ = nullptr;
-  std::vector<std::int64_t> element_tags_, block_tags_;
+  std::vector<std::int64_t> tags_read_, last_tags_;
+  std::vector<Index> nodes_;
+  std::int64_t group_ = 0, entity_ = 0;
+  std::int32_t groups_ = 0, partitions_ = 0;
 };
 
 }  // namespace

@@ -54,7 +54,8 @@ void read_all_entities(Numbers& in, bool partitioned, Document& document, TagSet
 // Elements of `each` nodes; `document.blocks.back()` is theirs.
 void read_block(Numbers& in, std::size_t count, int each, Document& document, NodeIndex& index, Tags& tags) {
   const std::size_t first = document.blocks.back().first;
-  Index* node = document.connectivity.data() + append(document.connectivity, count * each);
+  const std::size_t start = append(document.connectivity, count * each);
+  Index* node = document.connectivity.data() + start;
   for (std::size_t e = 0; e < count; ++e) {
     tags.add(first + e, in.size("the tag of an element"));
     for (int k = 0; k < each; ++k) *node++ = index(in.size("the tag of a node"));

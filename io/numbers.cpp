@@ -28,8 +28,18 @@ void Numbers::fail(std::string_view message) const {
   binary_ ? here.fail_at_byte(message) : here.fail_in_line(message);
 }
 
-std::int64_t Numbers::unusual_integer(const char* expected) {
+std::int64_t Numbers::unusual_integer(const char* expected, bool may_wrap) {
   Scanner slow(*path_, bytes_, at_);
+  if (may_wrap) {
+    const std::string_view word = slow.peek_word();
+    std::uint64_t value;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error == std::errc() && end == word.data() + word.size() && !word.empty()) {
+      slow.word();
+      at_ = slow.offset();
+      return static_cast<std::int64_t>(value);
+    }
+  }
   const std::int64_t value = slow.integer(expected);
   at_ = slow.offset();
   return value;

@@ -28,7 +28,7 @@ class Numbers {
   }
   /// A size_t, which tags are in 4.1: 8 bytes in binary.
   std::int64_t size(const char* expected) {
-    return binary_ ? raw<std::int64_t>(expected) : text_integer(expected);
+    return binary_ ? raw<std::int64_t>(expected) : text_integer(expected, true);
   }
   double real(const char* expected) { return binary_ ? raw<double>(expected) : text_real(expected); }
 
@@ -53,7 +53,7 @@ class Numbers {
  private:
   static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-  std::int64_t text_integer(const char* expected) {
+  std::int64_t text_integer(const char* expected, bool may_wrap = false) {
     skip_blanks();
     const char* const start = bytes_.data() + at_;
     const char* const end = bytes_.data() + bytes_.size();
@@ -61,7 +61,8 @@ class Numbers {
     const char* c = start;
     for (unsigned digit; c < end && (digit = static_cast<unsigned char>(*c) - '0') < 10; ++c)
       value = 10 * value + digit;
-    if (c == start || c - start > 18 || (c < end && !is_blank(*c))) return unusual_integer(expected);
+    if (c == start || c - start > 18 || (c < end && !is_blank(*c)))
+      return unusual_integer(expected, may_wrap);
     at_ += c - start;
     return static_cast<std::int64_t>(value);
   }
@@ -89,7 +90,8 @@ class Numbers {
     return value;
   }
 
-  std::int64_t unusual_integer(const char* expected);  // signs, and whatever is no integer
+  // Signs, and whatever is no integer. `may_wrap`: Gmsh writes a negative size_t as 2^64 less something.
+  std::int64_t unusual_integer(const char* expected, bool may_wrap);
   double unusual_real(const char* expected);
   [[noreturn]] void fail_short(const char* expected, std::size_t size) const;
 
