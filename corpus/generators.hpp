@@ -10,6 +10,11 @@ namespace tetproof::corpus {
 
 Generator sphere_generator();  // sphere.cpp
 Generator torus_generator();   // torus.cpp
+Generator wing_generator();
+Generator random_generator();  // random_star.cpp
+Generator shells_generator();
+Generator octahedron_generator();
+std::vector<Generator> block_generators();
 
 /// All of them, in the order of the list that users see.
 const std::vector<Generator>& generators();

@@ -23,19 +23,22 @@ int octahedral_frequency(double n) {
   return std::max(1, static_cast<int>(std::lround(std::sqrt(n / 8))));
 }
 
-TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Eigen::Vector3d&)> place) {
+TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Eigen::Vector3d&)> place,
+                                   double shift) {
   TriangleSurface surface;
-  surface.evaluate = [place = std::move(place)](const Eigen::Vector2d& uv) {
-    return place(octahedral_direction(uv));
+  surface.evaluate = [place = std::move(place), shift](const Eigen::Vector2d& uv) {
+    return place(octahedral_direction({uv[0] - shift, uv[1]}));
   };
 
   // Grid node (a,b), -f <= a,b <= f, has u = a/f, v = b/f. On the square's border two nodes (at its corners
   // four) are one vertex.
   const int width = 2 * f + 1;
   std::vector<Index> number(static_cast<std::size_t>(width) * width, -1);
-  const auto uv = [f](int a, int b) {
-    return Eigen::Vector2d(static_cast<double>(a) / f, static_cast<double>(b) / f);
+  const auto coordinate = [f, shift](int a) {
+    const double x = static_cast<double>(std::abs(a)) / f;
+    return std::copysign(shift == 0 ? x : (x + 32) - 32, a);
   };
+  const auto uv = [&](int a, int b) { return Eigen::Vector2d(coordinate(a) + shift, coordinate(b)); };
   const auto vertex = [&](int a, int b) -> Index& {
     if (std::abs(a) == f) b = std::abs(b);
     if (std::abs(b) == f) a = std::abs(a);

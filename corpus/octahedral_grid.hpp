@@ -17,7 +17,10 @@ Eigen::Vector3d octahedral_direction(const Eigen::Vector2d& uv);
 int octahedral_frequency(double n);
 
 /// A star-shaped surface of 8 f^2 triangles and 4 f^2 + 2 vertices, oriented outward, with (u,v) per corner;
-/// `place` maps a unit vector to the vertex in its direction. No triangle straddles two octants.
-TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Eigen::Vector3d&)> place);
+/// `place` maps a unit vector to the vertex in its direction. No triangle straddles two octants. With a
+/// `shift` (0 to 28, whole) the corners' u are that much larger, and (u,v) are rounded to multiples of 2^-47
+/// first, so that the shift is exact.
+TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Eigen::Vector3d&)> place,
+                                   double shift = 0);
 
 }  // namespace tetproof::corpus

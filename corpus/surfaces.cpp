@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "corpus/generators.hpp"
 #include "io/error.hpp"
+#include "io/mesh_files.hpp"
+#include "io/surface_files.hpp"
+#include "io/weld.hpp"
 
 namespace tetproof::corpus {
 namespace {
@@ -16,17 +21,49 @@ const Generator* find_generator(const std::string& spec) {
   return nullptr;
 }
 
+std::string names() {
+  std::string all;
+  for (const Generator& generator : generators())
+    all += (all.empty() ? "" : ", ") + std::string(generator.name);
+  return all;
+}
+
+bool ends_with_msh(std::string path) {
+  for (char& c : path)
+    if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+  return path.ends_with(".msh");
+}
+
+// The triangles of a mesh file, as read_surface gives those of a surface file.
+TriangleSurface welded_triangles(const std::string& path) {
+  TriangleSurface surface = surface_of(read_document(path));
+  if (surface.triangles.empty()) throw InputError(path + ": expected triangles, found none");
+  const Index nodes = static_cast<Index>(surface.vertices.size());
+  const std::vector<Index> moved = io::weld(surface.vertices);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (Index& v : surface.triangles[t]) {
+      if (v < 0 || v >= nodes)
+        throw InputError(
+            fmt::format("{}: triangle {} (from 0) names a node that the file does not have", path, t));
+      v = moved[v];
+    }
+  return surface;
+}
+
 const Generator& generator_of(const std::string& spec) {
   if (const Generator* generator = find_generator(spec)) return *generator;
-  std::string names;
-  for (const Generator& g : generators()) names += (names.empty() ? "" : ", ") + std::string(g.name);
-  throw InputError(fmt::format("{}: no such generated surface (known: {})", spec, names));
+  throw InputError(fmt::format("{}: no such generated surface (known: {})", spec, names()));
 }
 
 }  // namespace
 
 const std::vector<Generator>& generators() {
-  static const std::vector<Generator> all{sphere_generator(), torus_generator()};
+  static const std::vector<Generator> all = [] {
+    std::vector<Generator> list{sphere_generator(), torus_generator(),  wing_generator(),
+                                random_generator(), shells_generator(), octahedron_generator()};
+    for (Generator& block : block_generators()) list.push_back(std::move(block));
+    return list;
+  }();
   return all;
 }
 
@@ -45,20 +82,38 @@ std::optional<double> exact_volume(const std::string& spec) {
 }
 
 TriangleSurface open_surface(const std::string& file_or_spec) {
-  return make_surface(file_or_spec);
+  if (is_generated(file_or_spec)) return make_surface(file_or_spec);
+  std::error_code unknown;
+  if (!std::filesystem::exists(file_or_spec, unknown) &&
+      file_or_spec.find_first_of("./") == std::string::npos)
+    throw InputError(
+        fmt::format("{}: no such file, and no such generated surface (known: {})", file_or_spec, names()));
+  if (!ends_with_msh(file_or_spec)) return read_surface(file_or_spec);
+  return welded_triangles(file_or_spec);
 }
 
 std::string list_surfaces() {
+  const auto number = [](double x) {
+    std::string shortest = fmt::format("{:g}", x), all = fmt::format("{}", x);
+    return std::stod(shortest) == x ? shortest : all;
+  };
   std::string text;
   for (const Generator& generator : generators()) {
     text += fmt::format("{}: {}\n", generator.name, generator.meaning);
-    for (const Parameter& p : generator.parameters) {
-      const std::string preset = p.kind == Kind::four_digits
-                                     ? fmt::format("{:04}", static_cast<int>(p.preset))
-                                     : fmt::format("{}", p.preset);
+    std::string keys;
+    for (std::size_t i = 0; i < generator.parameters.size(); ++i) {
+      const Parameter& p = generator.parameters[i];
+      const bool digits = p.kind == Kind::four_digits;
+      keys += fmt::format("{}{}={}", keys.empty() ? "" : ",", p.key,
+                          digits ? fmt::format("{:04}", static_cast<int>(p.preset)) : number(p.preset));
+      // Parameters that mean the same, as coordinates do, share a line.
+      if (i + 1 < generator.parameters.size() &&
+          std::string_view(p.meaning) == generator.parameters[i + 1].meaning)
+        continue;
       const std::string range =
-          p.kind == Kind::four_digits ? "four digits" : fmt::format("{} to {}", p.least, p.most);
-      text += fmt::format("    {:<12} {} ({})\n", fmt::format("{}={}", p.key, preset), p.meaning, range);
+          digits ? "four digits" : fmt::format("{} to {}", number(p.least), number(p.most));
+      text += fmt::format("    {:<12} {} ({})\n", keys, p.meaning, range);
+      keys.clear();
     }
     text += fmt::format("    volume: {}\n", generator.volume_text);
   }
