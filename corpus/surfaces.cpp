@@ -112,7 +112,7 @@ std::string list_surfaces() {
         continue;
       const std::string range =
           digits ? "four digits" : fmt::format("{} to {}", number(p.least), number(p.most));
-      text += fmt::format("    {:<12} {} ({})\n", keys, p.meaning, range);
+      text += fmt::format("    {:<14} {} ({})\n", keys, p.meaning, range);
       keys.clear();
     }
     text += fmt::format("    volume: {}\n", generator.volume_text);
