@@ -70,13 +70,13 @@ struct Consequence {
 /// A place where a check does not hold. Positions in the arrays of the TetMesh; reports print the file's
 /// numbers.
 struct Finding {
-  std::vector<Index> tets;
-  std::vector<Index> vertices;
-  std::vector<std::array<Index, 3>> faces;   ///< three vertices each
-  std::optional<Eigen::Vector3d> point;      ///< [length], rounded from `point_exact` where that is given
-  std::array<std::string, 3> point_exact{};  ///< rationals "n/d"; empty when doubles say it
-  std::string what;
-  std::vector<Consequence> consequences;
+  std::vector<Index> tets{};
+  std::vector<Index> vertices{};
+  std::vector<std::array<Index, 3>> faces{};  ///< three vertices each
+  std::optional<Eigen::Vector3d> point{};     ///< [length], rounded from `point_exact` where that is given
+  std::array<std::string, 3> point_exact{};   ///< rationals "n/d"; empty when doubles say it
+  std::string what{};
+  std::vector<Consequence> consequences{};
 };
 
 struct CheckResult {
@@ -84,8 +84,8 @@ struct CheckResult {
   Verdict verdict = Verdict::skipped;
   std::int64_t count = 0;         ///< all findings that have their root here
   std::int64_t consequences = 0;  ///< findings of this check that follow from another's, listed there
-  std::optional<double> measured, allowed;
-  std::vector<Finding> findings;  ///< the first of them
+  std::optional<double> measured{}, allowed{};
+  std::vector<Finding> findings{};  ///< the first of them
 };
 
 /// Counts and volume of a mesh or a surface. `components` are the closed sheets of the boundary, `cavities`
@@ -95,9 +95,9 @@ struct CheckResult {
 /// edges.
 struct Shape {
   std::int64_t points = 0, tets = 0, boundary_faces = 0;
-  std::optional<std::int64_t> components, cavities, genus;
-  std::vector<std::int64_t> genus_per_component;
-  std::optional<double> volume;  ///< [length^3], the exact volume rounded once
+  std::optional<std::int64_t> components{}, cavities{}, genus{};
+  std::vector<std::int64_t> genus_per_component{};
+  std::optional<double> volume{};  ///< [length^3], the exact volume rounded once
 };
 
 struct VolumeAccount {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/intersections.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "verify/box.hpp"
+#include "verify/chunks.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+Point point(std::span<const Eigen::Vector3d> points, Index i) {
+  const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
+  return {p.x(), p.y(), p.z()};
+}
+
+// The segment against the closed triangle.
+bool meets(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
+  return CGAL::do_intersect(Kernel::Segment_3(p, q), Kernel::Triangle_3(a, b, c));
+}
+
+}  // namespace
+
+Degenerate degenerate_triangles(std::span<const Eigen::Vector3d> points,
+                                std::span<const Triangle> triangles) {
+  Degenerate result;
+  result.triangles.assign(triangles.size(), 0);
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
+    const auto& [a, b, c] = triangles[t];
+    result.triangles[t] = CGAL::collinear(point(points, a), point(points, b), point(points, c));
+  });
+  result.count = std::count(result.triangles.begin(), result.triangles.end(), 1);
+  return result;
+}
+
+bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& first, const Triangle& second) {
+  // Common vertices to the front of both.
+  std::array<Index, 3> s = first, t = second;
+  int common = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = common; j < 3; ++j)
+      if (s[i] == t[j]) {
+        std::swap(s[common], s[i]);
+        std::swap(t[common], t[j]);
+        ++common;
+        break;
+      }
+  const auto p = [&](Index i) { return point(points, i); };
+  const Point a = p(s[0]), b = p(s[1]), c = p(s[2]);
+  switch (common) {
+    case 0:
+      return CGAL::do_intersect(Kernel::Triangle_3(a, b, c), Kernel::Triangle_3(p(t[0]), p(t[1]), p(t[2])));
+    case 1: {
+      // A common part beyond the vertex runs from it to where one triangle ends: on its side opposite to the
+      // vertex.
+      const Point e = p(t[1]), f = p(t[2]);
+      const auto side_e = CGAL::orientation(a, b, c, e), side_f = CGAL::orientation(a, b, c, f);
+      if (side_e == side_f && side_e != CGAL::COPLANAR) return false;
+      return meets(e, f, a, b, c) || meets(b, c, a, e, f);
+    }
+    case 2: {
+      // Only when folded flat: in one plane and on the same side of the common edge.
+      const Point d = p(t[2]);
+      return CGAL::orientation(a, b, c, d) == CGAL::COPLANAR &&
+             CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
+    }
+    default:
+      return true;
+  }
+}
+
+Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
+                                 const std::vector<std::uint8_t>& excluded, std::size_t most) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!excluded.empty() && excluded[t]) continue;
+    boxes.push_back(box_of(points, triangles[t], t));
+  }
+  Intersections result;
+  std::vector<std::array<Index, 2>> candidates;
+  constexpr std::size_t batch = 1 << 22;
+  const auto test_candidates = [&] {
+    const auto found = collect_in_order<std::array<Index, 2>>(
+        candidates.size(), 8192,
+        [&](std::size_t begin, std::size_t end, std::vector<std::array<Index, 2>>& meeting) {
+          for (std::size_t i = begin; i < end; ++i)
+            if (triangles_meet(points, triangles[candidates[i][0]], triangles[candidates[i][1]]))
+              meeting.push_back(candidates[i]);
+        });
+    candidates.clear();
+    result.count += static_cast<std::int64_t>(found.size());
+    result.pairs.insert(result.pairs.end(), found.begin(), found.end());
+    std::sort(result.pairs.begin(), result.pairs.end());
+    if (result.pairs.size() > most) result.pairs.resize(most);
+  };
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
+    const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+    candidates.push_back({low, high});
+    if (candidates.size() == batch) test_candidates();
+  });
+  test_candidates();
+  return result;
+}
+
+}  // namespace tetproof::verify
