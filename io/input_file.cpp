@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <locale.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,8 +18,12 @@
 namespace tetproof {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
 
 // What a message shows of a word: printable, and not a page of it.
 std::string shown(std::string_view found) {
@@ -142,13 +147,15 @@ std::int64_t Scanner::count(const char* expected, std::size_t least_bytes_each, 
   const std::size_t most = remaining() / least_bytes_each + 1;  // the last one may lack its line end
   if (value < 0) fail_in_line(fmt::format("expected {}, found {}", expected, value));
   if (static_cast<std::size_t>(value) > most)
-    fail_in_line(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value, remaining()));
+    fail_in_line(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value,
+                             remaining()));
   return value;
 }
 
 std::string_view Scanner::raw(std::size_t size, const char* expected) {
   if (size > remaining())
-    fail_at_byte(fmt::format("expected {} ({} bytes), found {} bytes and the end of the file", expected, size, remaining()));
+    fail_at_byte(fmt::format("expected {} ({} bytes), found {} bytes and the end of the file", expected, size,
+                             remaining()));
   const std::string_view found = bytes_.substr(at_, size);
   at_ += size;
   return found;
@@ -170,17 +177,16 @@ bool parse_real(std::string_view text, double& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size()) return true;
-  if (error == std::errc::invalid_argument || text.size() > 512) return false;
+  if (error == std::errc::invalid_argument) return false;
   // Over- and underflow, which from_chars leaves undecided, and Fortran's D exponents.
-  char buffer[513];
-  std::memcpy(buffer, text.data(), text.size());
-  buffer[text.size()] = '\0';
-  for (char* c = buffer; *c; ++c)
-    if (*c == 'd' || *c == 'D') *c = 'e';
-  const std::size_t length = std::strlen(buffer);
-  const auto again = std::from_chars(buffer, buffer + length, value);
-  if (again.ptr != buffer + length) return false;
-  if (again.ec == std::errc::result_out_of_range) value = std::strtod(buffer, nullptr);  // no program of ours sets a locale
+  std::string plain(text);
+  for (char& c : plain)
+    if (c == 'd' || c == 'D') c = 'e';
+  const auto again = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+  if (again.ptr != plain.data() + plain.size()) return false;
+  static const locale_t decimal_point =
+      ::newlocale(LC_ALL_MASK, "C", nullptr);  // whatever the process has set
+  if (again.ec == std::errc::result_out_of_range) value = ::strtod_l(plain.c_str(), nullptr, decimal_point);
   return true;
 }
 

@@ -36,19 +36,18 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     mean += (point(i) - point(0)) / n;
   }
   mean += point(0);
-  const double size = (high - low).norm();
+  const double size = (high - low).stableNorm();  // its squares may under- or overflow
   const double tolerance = std::max(1e-4 * size, 1e-6 * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff());
-  if (!std::isfinite(size)) return {-1, "has a coordinate that is not finite or too large"};
+  if (!std::isfinite(size) || !mean.allFinite())
+    return {-1, "has a coordinate that is not finite or too large"};
 
-  Vector3d normal =
-      Vector3d::Zero();  // Newell's, in units of the polygon's size so that nothing under- or overflows
+  Vector3d normal = Vector3d::Zero();  // Newell's; in units of the polygon's size, as all products below
   for (std::ptrdiff_t i = 0; i < n; ++i)
     normal += ((point(i) - mean) / size).cross((point(i + 1) - mean) / size);
   if (normal.norm() < 1e-9) {  // no area: harmless if it is a line, a figure of eight otherwise
     Vector3d along = Vector3d::Zero();
     for (std::ptrdiff_t i = 1; i < n; ++i)
-      if ((point(i) - point(0)).norm() > along.norm()) along = point(i) - point(0);
-    along /= size;
+      if (((point(i) - point(0)) / size).norm() > along.norm()) along = (point(i) - point(0)) / size;
     along.normalize();
     for (std::ptrdiff_t i = 1; i < n; ++i)
       if (((point(i) - point(0)) / size).cross(along).norm() * size > tolerance)
@@ -84,11 +83,12 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     if (least > tolerance) break;
   }
   const Vector3d& apex = point(start);
+  double backwards = 0;  // area of the fan's triangles that turn the wrong way
   for (std::ptrdiff_t i = 1; i + 1 < n; ++i) {
     const Vector3d a = (point(start + i) - apex) / size, b = (point(start + i + 1) - apex) / size;
-    const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
-    if (normal.dot(a.cross(b)) * size < -tolerance * longest) return {-1, "is not convex"};
+    backwards -= std::min(0.0, normal.dot(a.cross(b)) / 2);
   }
+  if (backwards * size > tolerance) return {-1, "is not convex"};
   return {start, {}};
 }
 

@@ -25,8 +25,7 @@ namespace tetproof::io {
 /// diagonal of the polygon's box, 1e-6 x its largest absolute coordinate).
 ///  - Planar: no corner is farther than t from the plane through the corners' mean, across Newell's normal.
 ///  - Convex: no corner lies more than t inwards of the line through its neighbours, the polygon turns once
-///  around, and no
-///    triangle of its fan turns backwards by more than t (its height over its longest side).
+///    around, and the triangles of its fan that turn backwards have together no more area than t x diagonal.
 /// The fan starts at the first corner both of whose neighbours are more than t off the straight line, so that
 /// points in the middle of a side make no degenerate triangle; where there is none, at the corner whose
 /// neighbours are farthest off it.

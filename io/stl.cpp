@@ -118,7 +118,7 @@ Eigen::Vector3f normal(const TriangleSurface& surface, const std::array<Index, 3
   const Eigen::Vector3d n = b.cross(c);
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   if (!(length > 0) || !std::isfinite(length)) return Eigen::Vector3f::Zero();
-  return (n / length).cast<float>();
+  return (n / length).cast<float>() + Eigen::Vector3f::Zero();  // without -0
 }
 
 }  // namespace
