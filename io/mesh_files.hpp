@@ -18,6 +18,7 @@ struct Format {
       endings;  ///< lower case with the dot; of a file named to be written, the first format wins
   bool reads = false;
   bool ascii = true, binary = true;  ///< which of the two it can be written in
+  bool usually_binary = false;       ///< which of them it is unless one is asked for
 };
 
 /// All formats: msh41, msh22, tetgen, vtu, stl, off, obj, ply.
@@ -29,8 +30,16 @@ const Format& format_named(const std::string& name);
 
 struct WriteOptions {
   std::string format;          ///< a name of `formats()`; empty: by the path's ending
-  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, what is usual for others
+  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, .stl and .ply
 };
+
+/// What `options` and the path's ending come to. InputError when the ending says nothing, or the format
+/// cannot be written so.
+struct Encoding {
+  std::string format;
+  bool binary = false;
+};
+Encoding encoding_of(const std::string& path, const WriteOptions& options);
 
 /// Reads .msh 2.2 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either brings the
 /// other), and surfaces. What the format permits is read as it is written: indices that name no node, NaN,

@@ -56,10 +56,12 @@ void read_block(Numbers& in, std::size_t count, int each, Document& document, No
   const std::size_t first = document.blocks.back().first;
   const std::size_t start = append(document.connectivity, count * each);
   Index* node = document.connectivity.data() + start;
+  Numbers here = in;  // a copy that the compiler can keep in registers
   for (std::size_t e = 0; e < count; ++e) {
-    tags.add(first + e, in.size("the tag of an element"));
-    for (int k = 0; k < each; ++k) *node++ = index(in.size("the tag of a node"));
+    tags.add(first + e, here.size("the tag of an element"));
+    for (int k = 0; k < each; ++k) *node++ = index(here.size("the tag of a node"));
   }
+  in = here;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -133,6 +134,29 @@ class Planner {
 
 EntityPlan plan_entities(const Document& document) {
   return Planner(document).plan();
+}
+
+std::vector<Entity> underived_entities(const Document& document) {
+  std::map<std::pair<int, std::int64_t>, std::array<double, 6>> boxes;
+  std::set<std::tuple<int, std::int64_t, std::int32_t>> of_elements;
+  for (const ElementBlock& block : document.blocks) {
+    of_elements.insert({block.dim, block.entity, block.groups});
+    auto& box = boxes.try_emplace({block.dim, block.entity}, empty_box).first->second;
+    for (std::size_t k = 0; k < block.count * block.nodes_each; ++k) {
+      const Index node = document.connectivity[block.nodes + k];
+      if (node >= 0) grow(box, document.points[node]);
+    }
+  }
+  for (const NodeBlock& block : document.node_blocks)
+    if (const auto box = boxes.find({block.dim, block.entity}); box != boxes.end())
+      for (std::size_t i = 0; i < block.count; ++i) grow(box->second, document.points[block.first + i]);
+  std::vector<Entity> underived;
+  for (const Entity& entity : document.entities)
+    if (!entity.boundary.empty() || entity.parent_dim >= 0 ||
+        !of_elements.count({entity.dim, entity.tag, entity.groups}) ||
+        boxes.at({entity.dim, entity.tag}) != entity.box)
+      underived.push_back(entity);
+  return underived;
 }
 
 }  // namespace tetproof::io

@@ -21,4 +21,9 @@ struct EntityPlan {
 /// In 4.1 groups belong to entities: blocks of one entity with different groups become different entities.
 EntityPlan plan_entities(const Document& document);
 
+/// The document's entities that its elements and nodes alone do not tell: with a boundary, part of a
+/// partition, in groups that their elements are not in, without elements, or with another box than their
+/// elements have.
+std::vector<Entity> underived_entities(const Document& document);
+
 }  // namespace tetproof::io

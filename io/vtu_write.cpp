@@ -119,7 +119,9 @@ class Writer {
     file_.write("<CellData>\n");
     bool several = false, groups = false;
     for (const ElementBlock& block : document_.blocks) {
-      several = several || block.dim != document_.blocks[0].dim || block.entity != document_.blocks[0].entity;
+      several = several || block.dim != document_.blocks[0].dim ||
+                block.entity != document_.blocks[0].entity || block.entity < 0 ||
+                block.entity > 1;  // 0 and 1 go without saying
       groups = groups || block.groups != 0;
     }
     if (several) of_blocks("entity", [](const ElementBlock& block) { return block.entity; });
