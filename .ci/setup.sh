@@ -29,13 +29,13 @@ else
     fi
     apt_get=("${as_root[@]}" DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
              apt-get -q -y -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
-    echo "set-up: installing ${#missing[@]} packages and what they need: ${missing[*]}"
+    echo "set-up: installing, with what they need: ${missing[*]}"
     # A package source of the user's own may fail to answer without mattering here; the installation decides.
     "${apt_get[@]}" update >build/apt-update.log 2>&1 ||
       { tail -n 3 build/apt-update.log >&2; echo "set-up: apt-get update failed; going on with the package lists that are there" >&2; }
     "${apt_get[@]}" install --no-install-recommends "${missing[@]}" 2>&1 </dev/null | tee build/apt-install.log |
       awk '/newly installed/ { total = $3 }
-           /^Need to get/ { print "set-up: downloading " $4 " " $5; fflush() }
+           sub(/^Need to get /, "") { sub(/ of archives.*/, ""); print "set-up: downloading " $0; fflush() }
            /^Unpacking / && ++unpacked % 50 == 0 { print "set-up: unpacked " unpacked " of " total; fflush() }
            /^Setting up / && ++ready % 50 == 0 { print "set-up: installed " ready " of " total; fflush() }' ||
       { tail -n 20 build/apt-install.log >&2; fail "apt-get could not install the packages (the whole of it: build/apt-install.log)"; }
