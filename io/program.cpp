@@ -34,8 +34,8 @@ std::string version(const std::string& name, const Description& description) {
 class ExamplesFirst : public CLI::Formatter {
  public:
   explicit ExamplesFirst(std::string examples) : examples_(std::move(examples)) { column_width(34); }
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    return "Examples:\n" + examples_ + "\n" + CLI::Formatter::make_usage(app, std::move(name));
+  std::string make_description(const CLI::App* app) const override {
+    return "Examples:\n" + examples_ + "\n" + CLI::Formatter::make_description(app);
   }
 
  private:

@@ -28,6 +28,10 @@ struct Job {
   }
 };
 
+void PrintTo(const Job& job, std::ostream* stream) {
+  *stream << job.test_name();
+}
+
 const std::vector<Job> jobs{
     {"tetproof-mesh", {"SURFACE", "-o", "OUT", "--cells", "6"}, true},
     {"tetproof-verify", {"MESH"}},
