@@ -105,21 +105,21 @@ struct VolumeAccount {
   std::optional<double> voxel_inside, voxel_error_bound, voxel_error_estimate;
 };
 
-/// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]), the last bin closed.
+/// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]), the last from edges[i] on; lower ones
+/// are in the first.
 struct Distribution {
   double min = 0, max = 0;
-  std::vector<double> edges;
-  std::vector<std::int64_t> counts;
+  std::vector<double> edges{};
+  std::vector<std::int64_t> counts{};
 };
 
-/// In double arithmetic: relative error of a few units in the last place, times the element's condition
-/// number.
+/// In double arithmetic. Angles: absolute error of some 1e-15 radians, but for nearly flat tetrahedra, where
+/// the rounding of their coordinates' differences is seen.
 struct Quality {
-  std::int64_t tets = 0;         ///< those measured: four different finite vertices
+  std::int64_t tets = 0;         ///< those measured: of positive volume
   Distribution dihedral_angles;  ///< [degrees], six a tetrahedron
-  Distribution solid_angles;     ///< as a part of the full angle, four a tetrahedron
-  Distribution
-      aspect_ratios;  ///< longest edge / (2 sqrt(6) inradius): 1 for the regular tetrahedron, flat: infinite
+  Distribution solid_angles;     ///< [full angle 4 pi], four a tetrahedron
+  Distribution aspect_ratios;    ///< longest edge / (2 sqrt(6) inradius): 1 for the regular tetrahedron
 };
 
 struct Report {

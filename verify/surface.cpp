@@ -10,6 +10,7 @@
 
 #include "verify/edges.hpp"
 #include "verify/intersections.hpp"
+#include "verify/surface_judgement.hpp"
 #include "verify/volumes.hpp"
 #include "verify/winding.hpp"
 
@@ -117,12 +118,15 @@ std::string component_name(const SurfaceReport& report, std::size_t i) {
 }
 
 // Orientation and nesting of the components: volumes, depths, and whether they agree on what is inside.
-void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceReport& report) {
+void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
+  SurfaceReport& report = judgement.report;
   const std::size_t n = sheets.sheets.size();
-  const ExactVolumes volumes(surface.vertices, surface.triangles, sheets.of_triangle, n);
+  const ExactVolumes& volumes =
+      judgement.volumes.emplace(surface.vertices, surface.triangles, sheets.of_triangle, n);
   std::vector<int> depths(n, 0);
   if (n > 1) depths = nesting_depths(surface.vertices, surface.triangles, sheets);
-  std::vector<int> weights(n);
+  std::vector<int>& weights = judgement.weights;
+  weights.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     weights[i] = depths[i] % 2 == 0 ? volumes.sign(i) : -volumes.sign(i);
     report.components.push_back({.triangles = sheets.sheets[i].triangles,
@@ -180,11 +184,16 @@ std::int64_t SurfaceReport::cavities() const {
 }
 
 SurfaceReport judge_surface(const TriangleSurface& surface) {
-  SurfaceReport report;
+  return judge(surface).report;
+}
+
+SurfaceJudgement judge(const TriangleSurface& surface) {
+  SurfaceJudgement judgement;
+  SurfaceReport& report = judgement.report;
   report.vertices = static_cast<std::int64_t>(surface.vertices.size());
   report.triangles = static_cast<std::int64_t>(surface.triangles.size());
   report.fault = fault_of_numbers(surface);
-  if (!report.fault.empty()) return report;
+  if (!report.fault.empty()) return judgement;
 
   report.box_min = report.box_max = surface.vertices[surface.triangles[0][0]];
   for (const Triangle& t : surface.triangles)
@@ -208,8 +217,8 @@ SurfaceReport judge_surface(const TriangleSurface& surface) {
   if (report.fault.empty())
     report.fault =
         fault_of_triangles(surface, degenerate_triangles(surface.vertices, surface.triangles), edges);
-  if (report.fault.empty()) judge_components(surface, sheets, report);
-  return report;
+  if (report.fault.empty()) judge_components(surface, sheets, judgement);
+  return judgement;
 }
 
 }  // namespace tetproof::verify

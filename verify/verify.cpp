@@ -1,34 +1,124 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The order of the judgement.
 #include "verify/verify.hpp"
 
-#include "verify/faces.hpp"
-#include "verify/orientation.hpp"
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "io/error.hpp"
+#include "verify/check_surface.hpp"
+#include "verify/judgement.hpp"
+#include "verify/mesh_volumes.hpp"
+#include "verify/quality.hpp"
+#include "verify/surface_judgement.hpp"
 
 namespace tetproof::verify {
+namespace {
 
-Report verify(const TetMesh& mesh, const Options&) {
-  Report report;
-  for (int i = 0; i < check_count; ++i) report.checks.push_back({.check = static_cast<Check>(i)});
-  const auto settle = [&](Check check, std::size_t count) {
-    CheckResult& result = report.checks[static_cast<std::size_t>(check)];
-    result.count = static_cast<std::int64_t>(count);
-    result.verdict = count ? Verdict::fail : Verdict::pass;
-  };
-  const Orientations signs = orientations(mesh, {});
-  settle(Check::inverted, signs.negative.size());
-  settle(Check::flat, signs.flat.size());
-  const FaceMatching faces = match_faces(mesh, {});
-  settle(Check::face_shared_thrice, faces.thrice.size());
-  settle(Check::face_orientation, faces.same_side.size());
-  report.mesh = {.points = static_cast<std::int64_t>(mesh.points.size()),
-                 .tets = static_cast<std::int64_t>(mesh.tets.size()),
-                 .boundary_faces = static_cast<std::int64_t>(faces.boundary.size())};
-  if (!sound(report)) report.certificate = false;
-  return report;
+// Wall time from one call to the next.
+class Phases {
+ public:
+  Phases(bool on, Report& report) : on_(on), report_(report) {}
+  void done(const char* phase) {
+    const auto now = Clock::now();
+    if (on_) report_.seconds.emplace_back(phase, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool on_;
+  Report& report_;
+  Clock::time_point last_ = Clock::now();
+};
+
+std::array<bool, check_count> asked_checks(const Options& options, bool with_surface) {
+  std::array<bool, check_count> asked;
+  asked.fill(options.check.empty());
+  for (const std::string& id : options.check) asked[static_cast<std::size_t>(check_of_id(id))] = true;
+  for (const std::string& id : options.skip) asked[static_cast<std::size_t>(check_of_id(id))] = false;
+  if (!with_surface || options.region == Region::none)
+    for (int i = 0; i < check_count; ++i)
+      if (info(static_cast<Check>(i)).needs_surface) asked[static_cast<std::size_t>(i)] = false;
+  return asked;
 }
 
-Report verify(const TetMesh& mesh, const TriangleSurface&, const Options& options) {
-  return verify(mesh, options);
+void settle_verdicts(const Judgement& j, Report& report) {
+  const bool strict = j.options.strict_topology || (report.surface && j.options.fidelity == 0);
+  bool violated = false, open = false;
+  for (CheckResult& result : report.checks) {
+    const CheckInfo& row = info(result.check);
+    const bool held = result.count + result.consequences == 0;
+    if (row.certificate) {
+      violated = violated || !held;
+      open = open || !j.wants(result.check);
+    }
+    if (!j.wants(result.check))
+      result.verdict = Verdict::skipped;
+    else if (!held)
+      result.verdict = row.severity == Severity::fail || (row.severity == Severity::topology && strict)
+                           ? Verdict::fail
+                           : Verdict::warning;
+    else if (result.verdict != Verdict::undecided)
+      result.verdict = Verdict::pass;
+  }
+  if (violated)
+    report.certificate = false;
+  else if (!open)
+    report.certificate = true;
+}
+
+Report judge_mesh(const TetMesh& mesh, const TriangleSurface* surface, const Options& options) {
+  if (!(options.fidelity >= 0) || !std::isfinite(options.fidelity))
+    throw InputError(fmt::format("fidelity is {}, expected a number >= 0", options.fidelity));
+  Judgement j{.mesh = mesh, .options = options, .asked = asked_checks(options, surface)};
+  Report& report = j.report;
+  for (int i = 0; i < check_count; ++i) report.checks.push_back({.check = static_cast<Check>(i)});
+  Phases phases(options.timings, report);
+
+  SurfaceJudgement judged;
+  if (surface) {
+    judged = judge(*surface);
+    if (!judged.report.fault.empty()) throw InputError(judged.report.fault);
+    report.notes = judged.report.notes;
+    phases.done("surface");
+  }
+  check_numbers_and_points(j);
+  phases.done("points");
+  check_tetrahedra(j);
+  phases.done("tetrahedra");
+  const MeshVolumes volumes = mesh_volumes(mesh, j.boundary);
+  report.mesh.points = static_cast<std::int64_t>(mesh.points.size());
+  report.mesh.tets = static_cast<std::int64_t>(mesh.tets.size());
+  report.mesh.boundary_faces = static_cast<std::int64_t>(j.boundary.faces.size());
+  report.mesh.volume = report.volume.mesh = volumes.sets.weighted_sum(volumes.all);
+  phases.done("volume");
+  check_boundary(j, volumes, surface ? right_cavities(options.region, judged.report) : 0);
+  phases.done("boundary");
+  if (surface) {
+    check_against_surface(j, volumes, *surface, judged);
+    phases.done("against the surface");
+  }
+  if (options.quality) {
+    report.quality = measure_quality(mesh, j.excluded);
+    phases.done("quality");
+  }
+  settle(mesh, j.suspects, report);
+  settle_verdicts(j, report);
+  phases.done("findings");
+  return std::move(report);
+}
+
+}  // namespace
+
+Report verify(const TetMesh& mesh, const Options& options) {
+  return judge_mesh(mesh, nullptr, options);
+}
+
+Report verify(const TetMesh& mesh, const TriangleSurface& surface, const Options& options) {
+  return judge_mesh(mesh, &surface, options);
 }
 
 }  // namespace tetproof::verify

@@ -40,6 +40,13 @@ Exact determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
 
 struct ExactVolumes::Sums {
   std::vector<Exact> six_volumes;
+
+  Exact weighted(std::span<const int> weights) const {
+    Exact sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (weights[i] != 0) sum += Exact(weights[i]) * six_volumes[i];
+    return sum;
+  }
 };
 
 ExactVolumes::ExactVolumes(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
@@ -80,10 +87,12 @@ double ExactVolumes::volume(std::size_t set) const {
 }
 
 double ExactVolumes::weighted_sum(std::span<const int> weights) const {
-  Exact sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0) sum += Exact(weights[i]) * sums_->six_volumes[i];
-  return nearest(CGAL::Gmpq(sum) / 6);
+  return nearest(CGAL::Gmpq(sums_->weighted(weights)) / 6);
+}
+
+double ExactVolumes::difference(std::span<const int> weights, const ExactVolumes& other,
+                                std::span<const int> other_weights) const {
+  return nearest(CGAL::Gmpq(sums_->weighted(weights) - other.sums_->weighted(other_weights)) / 6);
 }
 
 int ExactVolumes::compare_size(std::size_t i, std::size_t j) const {

@@ -25,6 +25,9 @@ class ExactVolumes {
   int sign(std::size_t set) const;
   double volume(std::size_t set) const;                     ///< the double nearest to it, ties to even
   double weighted_sum(std::span<const int> weights) const;  ///< of weights[i] * volume i, the nearest double
+  /// This weighted sum less another's, the nearest double to the exact difference.
+  double difference(std::span<const int> weights, const ExactVolumes& other,
+                    std::span<const int> other_weights) const;
   /// Order of the sets' absolute volumes: negative, zero or positive as |volume i| <, = or > |volume j|.
   int compare_size(std::size_t i, std::size_t j) const;
 

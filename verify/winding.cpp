@@ -6,6 +6,9 @@
 #include <CGAL/box_intersection_d.h>
 #include <Eigen/Geometry>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,6 +38,15 @@ Point centroid(std::span<const Eigen::Vector3d> points, const Triangle& t) {
 Exact normal(const Point& a, const Point& b, const Point& c, int axis) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+}
+
+// Six times the volume of a tetrahedron, times 27.
+Exact determinant(std::span<const Eigen::Vector3d> points, const std::array<Index, 4>& tet) {
+  const Point a = scaled(points[tet[0]]), b = scaled(points[tet[1]]), c = scaled(points[tet[2]]),
+              d = scaled(points[tet[3]]);
+  Exact sum = 0;
+  for (int k = 0; k < 3; ++k) sum += normal(a, b, c, k) * (d[k] - a[k]);
+  return sum;
 }
 
 struct Ray {
@@ -140,6 +152,49 @@ std::vector<int> nesting_depths(std::span<const Eigen::Vector3d> points, std::sp
     depths.push_back(depth);
   }
   return depths;
+}
+
+Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle) {
+  const std::span<const Eigen::Vector3d> points = mesh.points;
+  const Point a = scaled(points[triangle[0]]), b = scaled(points[triangle[1]]),
+              c = scaled(points[triangle[2]]);
+  const Point origin = centroid(points, triangle),
+              outwards{normal(a, b, c, 0), normal(a, b, c, 1), normal(a, b, c, 2)};
+  Eigen::Vector3d low, high;
+  for (int k = 0; k < 3; ++k) std::tie(low[k], high[k]) = CGAL::to_interval(CGAL::Gmpq(origin[k]) / 3);
+  // Inside every face, or on it and on the way inwards.
+  const auto contains = [&](const std::array<Index, 4>& tet) {
+    for (const auto& corners : tet_faces) {
+      const Point p = scaled(points[tet[corners[0]]]), q = scaled(points[tet[corners[1]]]),
+                  r = scaled(points[tet[corners[2]]]);
+      Exact height = 0, way = 0;
+      for (int k = 0; k < 3; ++k) {
+        const Exact n = normal(p, q, r, k);
+        height += n * (origin[k] - p[k]);
+        way += n * outwards[k];
+      }
+      const CGAL::Sign outside = CGAL::sign(height) != CGAL::ZERO ? CGAL::sign(height) : CGAL::sign(way);
+      if (outside == CGAL::POSITIVE) return false;
+    }
+    return true;
+  };
+  const auto first = [&](const tbb::blocked_range<std::size_t>& range, Index found) {
+    for (std::size_t t = range.begin(); t < range.end() && found < 0; ++t) {
+      if (!excluded.empty() && excluded[t]) continue;
+      const std::array<Index, 4>& tet = mesh.tets[t];
+      const Eigen::Vector3d &p = points[tet[0]], &q = points[tet[1]], &r = points[tet[2]],
+                            &s = points[tet[3]];
+      if ((p.cwiseMin(q).cwiseMin(r.cwiseMin(s)).array() > high.array()).any()) continue;
+      if ((p.cwiseMax(q).cwiseMax(r.cwiseMax(s)).array() < low.array()).any()) continue;
+      if (CGAL::sign(determinant(points, tet)) == CGAL::POSITIVE && contains(tet))
+        found = static_cast<Index>(t);
+    }
+    return found;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 16384), Index{-1}, first,
+                              [](Index x, Index y) { return x < 0   ? y
+                                                            : y < 0 ? x
+                                                                    : std::min(x, y); });
 }
 
 std::array<std::string, 3> exact_centroid(std::span<const Eigen::Vector3d> points, const Triangle& triangle) {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/check_surface.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "verify/voxel_volume.hpp"
+#include "verify/winding.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+// Sheets of the mesh's boundary that are its own outer boundary and not the surface's: with region outside
+// those in no other.
+std::vector<int> own_sheets(const Judgement& j) {
+  const Boundary& boundary = j.boundary;
+  std::vector<int> own(boundary.sheets.sheets.size(), 0);
+  if (j.options.region == Region::outside) {
+    const std::vector<int> depths =
+        nesting_depths(j.mesh.points, boundary.boundary_triangles(), boundary.sheets);
+    std::transform(depths.begin(), depths.end(), own.begin(), [](int depth) { return depth == 0; });
+  }
+  return own;
+}
+
+std::string list(const std::vector<std::int64_t>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size() && i < 8; ++i)
+    text += fmt::format("{}{}", i ? ", " : "", numbers[i]);
+  return numbers.size() > 8 ? text + ", ..." : text;
+}
+
+void check_topology(Judgement& j, const MeshVolumes& volumes, const std::vector<int>& own,
+                    const SurfaceReport& surface) {
+  std::int64_t outward = 0, inward = 0;
+  std::vector<std::int64_t> genus, right_genus;
+  for (std::size_t s = 0; s < own.size(); ++s) {
+    if (own[s]) continue;
+    (volumes.sets.sign(s) > 0 ? outward : inward) += 1;
+    genus.push_back(j.boundary.sheets.sheets[s].genus());
+  }
+  for (const SurfaceComponent& c : surface.components) right_genus.push_back(c.genus);
+  std::sort(genus.begin(), genus.end());
+  std::sort(right_genus.begin(), right_genus.end());
+  // Seen from outside the solid, its cavities point outward.
+  if (j.options.region == Region::outside) std::swap(outward, inward);
+  const std::int64_t right_inward = surface.cavities(),
+                     right_outward = static_cast<std::int64_t>(surface.components.size()) - right_inward;
+  std::vector<std::string> differences;
+  const char* without = j.options.region == Region::outside ? " (without the outer boundary)" : "";
+  if (outward != right_outward)
+    differences.push_back(fmt::format("the boundary has {} components besides cavities{}, the surface {}",
+                                      outward, without, right_outward));
+  if (inward != right_inward)
+    differences.push_back(
+        fmt::format("the boundary bounds {} cavities{}, the surface {}", inward, without, right_inward));
+  if (genus != right_genus)
+    differences.push_back(fmt::format("the boundary's components have genus {}{}, the surface's {}",
+                                      genus.empty() ? "none" : list(genus), without, list(right_genus)));
+  const std::size_t count = differences.size();
+  j[Check::topology] = {count, [](std::size_t) { return Finding{}; },
+                        [differences](std::size_t i, Finding& finding) { finding.what = differences[i]; }};
+}
+
+Suspects one_if(bool found, std::string what) {
+  return {found ? std::size_t{1} : 0, [](std::size_t) { return Finding{}; },
+          [what = std::move(what)](std::size_t, Finding& finding) { finding.what = what; }};
+}
+
+}  // namespace
+
+std::size_t right_cavities(Region region, const SurfaceReport& surface) {
+  if (region == Region::none) return 0;
+  const auto inner = static_cast<std::size_t>(surface.cavities());
+  return region == Region::outside ? surface.components.size() - inner : inner;
+}
+
+void check_against_surface(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
+                           const SurfaceJudgement& judged) {
+  const SurfaceReport& s = judged.report;
+  Report& report = j.report;
+  report.surface = Shape{.points = s.vertices,
+                         .tets = 0,
+                         .boundary_faces = s.triangles,
+                         .components = static_cast<std::int64_t>(s.components.size()),
+                         .cavities = s.cavities(),
+                         .genus = s.genus};
+  for (const SurfaceComponent& c : s.components) report.surface->genus_per_component.push_back(c.genus);
+  report.surface->volume = report.volume.surface = s.volume;
+  if (j.options.region == Region::none) return;
+
+  // What cannot be compared was found defective before.
+  const bool whole = j.boundary.closed && report.mesh.components;
+  std::vector<int> own(volumes.all.size() - 1, 0);
+  if (whole) own = own_sheets(j);
+  if (whole && j.wants(Check::topology)) check_topology(j, volumes, own, s);
+  if (!whole) {
+    j.asked[static_cast<std::size_t>(Check::topology)] = false;
+    report.notes.push_back(
+        "the topology was not compared with the surface's: the boundary is not closed, or faces do not "
+        "match");
+  }
+  if (!whole && j.options.region == Region::outside) {
+    j.asked[static_cast<std::size_t>(Check::volume_surface)] =
+        j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+    return;
+  }
+
+  // Inside: mesh - surface. Outside: mesh - (outer boundary - surface).
+  const bool outside = j.options.region == Region::outside;
+  std::vector<int> mesh_weights = volumes.all, surface_weights = judged.weights, outer(volumes.all.size(), 0);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i]) outer[i] = 1, mesh_weights[i] -= 1;
+  if (outside)
+    for (int& weight : surface_weights) weight = -weight;
+  const double difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights);
+  const double outer_volume = volumes.sets.weighted_sum(outer);
+  const double right_volume = outside ? outer_volume - s.volume : s.volume;
+  const double allowed = j.options.fidelity * (s.box_max - s.box_min).norm() * s.area;
+  report.volume.relative_difference = difference / right_volume;
+  if (j.wants(Check::volume_surface)) {
+    CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_surface)];
+    result.measured = std::abs(difference);
+    result.allowed = allowed;
+    j[Check::volume_surface] =
+        one_if(std::abs(difference) > allowed,
+               fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
+                           *report.volume.mesh, std::abs(difference), difference < 0 ? "less" : "more"));
+  }
+  if (j.options.voxels == 0) {
+    j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+  } else if (j.wants(Check::volume_voxel)) {
+    const VoxelVolume voxels = voxel_volume(surface, j.options.voxels);
+    report.volume.voxel_inside = voxels.inside;
+    report.volume.voxel_error_bound = voxels.error_bound;
+    if (j.options.voxels / 2 >= least_voxels)
+      report.volume.voxel_error_estimate =
+          std::abs(voxels.inside - voxel_volume(surface, j.options.voxels / 2).inside);
+    const double apart =
+        std::abs(*report.volume.mesh - (outside ? outer_volume - voxels.inside : voxels.inside));
+    CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_voxel)];
+    result.measured = apart;
+    result.allowed = allowed;
+    if (apart > allowed && apart <= allowed + voxels.error_bound) result.verdict = Verdict::undecided;
+    j[Check::volume_voxel] = one_if(apart > allowed + voxels.error_bound,
+                                    fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed "
+                                                "{:.6g} and the voxels' error of at most {:.6g}",
+                                                apart, allowed, voxels.error_bound));
+  }
+}
+
+}  // namespace tetproof::verify

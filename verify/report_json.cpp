@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report as JSON. The keys are a contract.
+#include <nlohmann/json.hpp>
+
+#include "verify/report.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::warning:
+      return "warning";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::skipped:
+      return "skipped";
+  }
+  return "";
+}
+
+Json json(const Finding& finding, const Numbering& numbering) {
+  Json tets = Json::array(), vertices = Json::array(), faces = Json::array(), consequences = Json::array();
+  for (const Index t : finding.tets) tets.push_back(numbering.tet(t));
+  for (const Index v : finding.vertices) vertices.push_back(numbering.point(v));
+  for (const auto& [a, b, c] : finding.faces)
+    faces.push_back({numbering.point(a), numbering.point(b), numbering.point(c)});
+  for (const Consequence& c : finding.consequences)
+    consequences.push_back({{"check", info(c.check).id}, {"count", c.count}});
+  Json point, exact;
+  if (finding.point) point = {finding.point->x(), finding.point->y(), finding.point->z()};
+  if (!finding.point_exact[0].empty()) exact = finding.point_exact;
+  return {{"tets", tets},
+          {"vertices", vertices},
+          {"faces", faces},
+          {"point", point},
+          {"point_exact", exact},
+          {"what", finding.what},
+          {"consequences", consequences}};
+}
+
+Json json(const CheckResult& result, const Numbering& numbering) {
+  Json findings = Json::array();
+  for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
+  // Only the voxels' account rests on anything but exact decisions.
+  return {{"id", info(result.check).id},
+          {"verdict", name(result.verdict)},
+          {"exact", result.check != Check::volume_voxel},
+          {"count", result.count},
+          {"consequences", result.consequences},
+          {"measured", or_null(result.measured)},
+          {"allowed", or_null(result.allowed)},
+          {"findings", findings}};
+}
+
+Json json(const Shape& shape, bool is_mesh) {
+  Json json = {{"points", shape.points}};
+  if (is_mesh) json["tets"] = shape.tets;
+  json[is_mesh ? "boundary_faces" : "triangles"] = shape.boundary_faces;
+  json["components"] = or_null(shape.components);
+  json["cavities"] = or_null(shape.cavities);
+  json["genus"] = or_null(shape.genus);
+  json["genus_per_component"] = shape.genus_per_component;
+  json["volume"] = or_null(shape.volume);
+  return json;
+}
+
+Json json(const Distribution& distribution, std::int64_t tets) {
+  return {{"min", tets ? Json(distribution.min) : Json()},
+          {"max", tets ? Json(distribution.max) : Json()},
+          {"histogram", {{"edges", distribution.edges}, {"counts", distribution.counts}}}};
+}
+
+}  // namespace
+
+std::string report_json(const Report& report, const Numbering& numbering) {
+  Json checks = Json::array();
+  for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
+  Json all = {{"verdict", sound(report) ? "sound" : "defective"},
+              {"certificate", or_null(report.certificate)},
+              {"checks", checks},
+              {"mesh", json(report.mesh, true)},
+              {"surface", report.surface ? json(*report.surface, false) : Json()},
+              {"volume",
+               {{"mesh", or_null(report.volume.mesh)},
+                {"surface", or_null(report.volume.surface)},
+                {"relative_difference", or_null(report.volume.relative_difference)},
+                {"voxel_inside", or_null(report.volume.voxel_inside)},
+                {"voxel_error_bound", or_null(report.volume.voxel_error_bound)},
+                {"voxel_error_estimate", or_null(report.volume.voxel_error_estimate)}}}};
+  if (report.quality) {
+    const Quality& q = *report.quality;
+    all["quality"] = {{"tets", q.tets},
+                      {"dihedral_angles", json(q.dihedral_angles, q.tets)},
+                      {"solid_angles", json(q.solid_angles, q.tets)},
+                      {"aspect_ratios", json(q.aspect_ratios, q.tets)}};
+  }
+  all["notes"] = report.notes;
+  if (!report.seconds.empty()) {
+    Json seconds = Json::object();
+    for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
+    all["seconds"] = seconds;
+  }
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tetproof::verify

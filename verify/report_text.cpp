@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report for people: the verdict, what is wrong and where, then what there is.
+#include <fmt/core.h>
+
+#include "verify/report.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+constexpr std::size_t shown = 5;  // findings of a check, and elements of a finding; the JSON has more
+
+std::string place(const Finding& finding, const Numbering& numbering) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name) {
+    if (count == 0) return;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", count == 1 ? one : many);
+    for (std::size_t i = 0; i < count && i < shown; ++i) text += (i ? ", " : " ") + name(i);
+    if (count > shown) text += fmt::format(", ... ({} in all)", count);
+  };
+  add(finding.tets.size(), "tetrahedron", "tetrahedra",
+      [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
+  add(finding.faces.size(), "face", "faces", [&](std::size_t i) {
+    const auto& [a, b, c] = finding.faces[i];
+    return fmt::format("({} {} {})", numbering.point(a), numbering.point(b), numbering.point(c));
+  });
+  add(finding.vertices.size(), "vertex", "vertices",
+      [&](std::size_t i) { return fmt::format("{}", numbering.point(finding.vertices[i])); });
+  if (finding.point)
+    text += fmt::format("{}at ({:.9g}, {:.9g}, {:.9g})", text.empty() ? "" : " ", finding.point->x(),
+                        finding.point->y(), finding.point->z());
+  return text;
+}
+
+std::string describe(const CheckResult& result, const Numbering& numbering) {
+  std::string text =
+      fmt::format("{} {}", result.verdict == Verdict::fail ? "FAIL" : "warning", info(result.check).id);
+  if (result.count > 0) text += fmt::format(": {}", result.count);
+  if (result.consequences > 0)
+    text += fmt::format(
+        "{} {} of what is found above", result.count > 0 ? ", and" : ":",
+        result.consequences == 1 ? "1 consequence" : fmt::format("{} consequences", result.consequences));
+  text += "\n";
+  for (std::size_t i = 0; i < result.findings.size() && i < shown; ++i) {
+    const Finding& finding = result.findings[i];
+    const std::string where = place(finding, numbering);
+    text += fmt::format("  {}{}{}\n", where, where.empty() ? "" : ": ", finding.what);
+    for (const Consequence& c : finding.consequences)
+      text += fmt::format("    from this follows: {} {}\n", c.count, info(c.check).id);
+  }
+  if (result.count > static_cast<std::int64_t>(shown))
+    text += fmt::format("  ... {} more\n", result.count - static_cast<std::int64_t>(shown));
+  return text;
+}
+
+std::string counted(std::int64_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string shape_text(const Shape& shape) {
+  if (!shape.components) return "components, cavities and genus undefined: the boundary is not closed";
+  return fmt::format("{}, {} of them {}, genus {}", counted(*shape.components, "component", "components"),
+                     *shape.cavities, *shape.cavities == 1 ? "a cavity" : "cavities", *shape.genus);
+}
+
+}  // namespace
+
+std::string report_text(const Report& report, const Numbering& numbering) {
+  std::string text = sound(report) ? "sound" : "DEFECTIVE";
+  if (!report.certificate)
+    text += ": no certificate, a check that it needs was skipped\n";
+  else
+    text += *report.certificate ? ": certified, the tetrahedra are a valid triangulation of a solid\n"
+                                : ": no certificate\n";
+  for (const Verdict verdict : {Verdict::fail, Verdict::warning})
+    for (const CheckResult& result : report.checks)
+      if (result.verdict == verdict) text += describe(result, numbering);
+  for (const CheckResult& result : report.checks)
+    if (result.verdict == Verdict::undecided)
+      text += fmt::format(
+          "undecided {}: measured {:.6g}, allowed {:.6g}, the difference is inside the stated error\n",
+          info(result.check).id, result.measured.value_or(0), result.allowed.value_or(0));
+
+  text += fmt::format(
+      "mesh      {}, {}, {}; boundary of {}\n", counted(report.mesh.tets, "tetrahedron", "tetrahedra"),
+      counted(report.mesh.points, "point", "points"),
+      counted(report.mesh.boundary_faces, "boundary face", "boundary faces"), shape_text(report.mesh));
+  if (report.surface)
+    text += fmt::format("surface   {}, {}; {}\n",
+                        counted(report.surface->boundary_faces, "triangle", "triangles"),
+                        counted(report.surface->points, "vertex", "vertices"), shape_text(*report.surface));
+  const VolumeAccount& volume = report.volume;
+  if (volume.mesh) {
+    text += fmt::format("volume    mesh {:.12g}", *volume.mesh);
+    if (volume.surface) text += fmt::format(", surface {:.12g}", *volume.surface);
+    if (volume.relative_difference)
+      text += fmt::format(", relative difference {:.3g}", *volume.relative_difference);
+    if (const CheckResult& check = report[Check::volume_surface]; check.allowed)
+      text += fmt::format("; difference {:.3g}, allowed {:.3g}", check.measured.value_or(0), *check.allowed);
+    text += "\n";
+  }
+  if (volume.voxel_inside)
+    text += fmt::format(
+        "voxels    surface {:.12g}, off by at most {:.3g}{}\n", *volume.voxel_inside,
+        volume.voxel_error_bound.value_or(0),
+        volume.voxel_error_estimate ? fmt::format(", estimated {:.2g}", *volume.voxel_error_estimate) : "");
+  if (report.quality && report.quality->tets > 0) {
+    const Quality& q = *report.quality;
+    text += fmt::format(
+        "quality   dihedral angles {:.4g} to {:.4g} degrees, smallest solid angle {:.3g} of 4 pi, largest "
+        "aspect ratio {:.4g}\n",
+        q.dihedral_angles.min, q.dihedral_angles.max, q.solid_angles.min, q.aspect_ratios.max);
+  }
+  for (const std::string& note : report.notes) text += "note      " + note + "\n";
+  for (const auto& [phase, time] : report.seconds) text += fmt::format("{:8.3f} s  {}\n", time, phase);
+  return text;
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/suspects.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace tetproof::verify {
+namespace {
+
+using Set = std::uint32_t;  // of checks, one bit each
+constexpr Set set() {
+  return 0;
+}
+template <class... More>
+constexpr Set set(Check check, More... more) {
+  return Set{1} << static_cast<int>(check) | set(more...);
+}
+
+constexpr Set dropped = set(Check::index_range, Check::finite_coordinates, Check::repeated_vertex);
+constexpr Set unmatched = set(Check::face_shared_thrice, Check::face_orientation);
+constexpr Set misplaced = set(Check::duplicate_tet, Check::inverted, Check::flat);
+
+// What can cause a finding of a check, if they share a tetrahedron, and if they share a vertex.
+struct Causes {
+  Set by_tet = 0, by_vertex = 0;
+};
+constexpr Causes causes(Check check) {
+  switch (check) {
+    case Check::inverted:
+    case Check::flat:
+      return {set(Check::duplicate_tet), 0};
+    case Check::face_shared_thrice:
+      return {set(Check::duplicate_tet), 0};
+    case Check::face_orientation:
+      return {misplaced, 0};
+    case Check::cavity:
+      return {0, dropped | misplaced | unmatched};
+    case Check::boundary_nonmanifold_edge:
+    case Check::boundary_nonmanifold_vertex:
+      return {0, dropped | misplaced | unmatched | set(Check::cavity)};
+    case Check::boundary_self_intersection:
+      return {0, dropped | misplaced | unmatched};
+    case Check::overlap:
+      return {0, dropped | misplaced | unmatched | set(Check::boundary_self_intersection)};
+    default:
+      return {};
+  }
+}
+
+constexpr bool can_cause(Check check) {
+  constexpr Set all = dropped | misplaced | unmatched | set(Check::cavity, Check::boundary_self_intersection);
+  return all >> static_cast<int>(check) & 1;
+}
+
+// Where earlier findings are: for each tetrahedron and each vertex the first of them. A cavity is kept apart,
+// so that it does not hide another cause at the same vertex.
+class Roots {
+ public:
+  explicit Roots(const TetMesh& mesh) : mesh_(mesh) {}
+
+  struct Root {
+    Check check;
+    std::size_t finding;  // position in its check's findings; beyond the reported ones: only counted
+  };
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  const Root& operator[](std::uint32_t number) const { return roots_[number]; }
+
+  // The number of the earliest finding that can have caused this one, or none.
+  std::uint32_t of(const Finding& finding, const Causes& allowed) const {
+    std::uint32_t best = none;
+    const auto consider = [&](const std::vector<std::uint32_t>& at, Index i, Set checks) {
+      if (at.empty() || at[i] >= best) return;
+      if (checks >> static_cast<int>(roots_[at[i]].check) & 1) best = at[i];
+    };
+    for (const Index t : finding.tets) consider(at_tet_, t, allowed.by_tet);
+    for_each_vertex(finding, [&](Index v) {
+      consider(at_vertex_, v, allowed.by_vertex);
+      consider(cavity_at_vertex_, v, allowed.by_vertex);
+    });
+    return best;
+  }
+
+  std::uint32_t add(Root root) {
+    roots_.push_back(root);
+    return static_cast<std::uint32_t>(roots_.size() - 1);
+  }
+
+  // What touches this finding from now on may follow from that root.
+  void mark(const Finding& finding, std::uint32_t root) {
+    const auto claim = [&](std::vector<std::uint32_t>& at, std::size_t size, Index i) {
+      if (at.empty()) at.assign(size, none);
+      if (at[i] == none) at[i] = root;
+    };
+    const bool cavity = roots_[root].check == Check::cavity;
+    if (!cavity)
+      for (const Index t : finding.tets) claim(at_tet_, mesh_.tets.size(), t);
+    for_each_vertex(finding,
+                    [&](Index v) { claim(cavity ? cavity_at_vertex_ : at_vertex_, mesh_.points.size(), v); });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_vertex(const Finding& finding, const Visit& visit) const {
+    const auto in_range = [&](Index v) {
+      if (v >= 0 && v < static_cast<Index>(mesh_.points.size())) visit(v);
+    };
+    for (const Index v : finding.vertices) in_range(v);
+    for (const auto& face : finding.faces)
+      for (const Index v : face) in_range(v);
+    for (const Index t : finding.tets)
+      for (const Index v : mesh_.tets[t]) in_range(v);
+  }
+
+  const TetMesh& mesh_;
+  std::vector<Root> roots_;
+  std::vector<std::uint32_t> at_tet_, at_vertex_, cavity_at_vertex_;
+};
+
+void add_consequence(Finding& cause, Check check) {
+  for (Consequence& known : cause.consequences)
+    if (known.check == check) {
+      ++known.count;
+      return;
+    }
+  cause.consequences.push_back({check, 1});
+}
+
+}  // namespace
+
+void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report) {
+  Roots roots(mesh);
+  for (CheckResult& result : report.checks) {
+    const Suspects& found = suspects[static_cast<std::size_t>(result.check)];
+    for (std::size_t i = 0; i < found.count; ++i) {
+      Finding finding = found.finding(i);
+      if (const std::uint32_t root = roots.of(finding, causes(result.check)); root != Roots::none) {
+        ++result.consequences;
+        roots.mark(finding, root);
+        auto& findings = report.checks[static_cast<std::size_t>(roots[root].check)].findings;
+        if (roots[root].finding < findings.size())
+          add_consequence(findings[roots[root].finding], result.check);
+        continue;
+      }
+      if (can_cause(result.check))
+        roots.mark(finding, roots.add({result.check, static_cast<std::size_t>(result.count)}));
+      ++result.count;
+      if (result.findings.size() >= most_findings) continue;
+      found.describe(i, finding);
+      result.findings.push_back(std::move(finding));
+    }
+    result.count += static_cast<std::int64_t>(found.beyond);
+  }
+}
+
+}  // namespace tetproof::verify
