@@ -8,8 +8,10 @@
 
 #include "io/atomic_file.hpp"
 #include "io/byte_order.hpp"
+#include "io/document_surface.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
+#include "io/mesh_files.hpp"
 #include "io/obj.hpp"
 #include "io/off.hpp"
 #include "io/ply.hpp"
@@ -17,8 +19,6 @@
 
 namespace tetproof {
 namespace {
-
-constexpr const char* known_endings = ".stl, .off, .obj or .ply";
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -53,7 +53,8 @@ std::string format_of_content(const InputFile& file) {
   return "";
 }
 
-[[noreturn]] void fail_unknown(const std::string& path, const std::string& ending) {
+[[noreturn]] void fail_unknown(const std::string& path, const std::string& ending,
+                               const char* known_endings) {
   throw InputError(fmt::format("{}: {}, expected a surface as {}", path,
                                ending.empty() ? "no ending" : fmt::format("unknown ending '.{}'", ending),
                                known_endings));
@@ -70,21 +71,22 @@ bool is_surface_file(const std::string& path) {
 }
 
 TriangleSurface read_surface(const std::string& path) {
-  const InputFile file(path);
   std::string format = ending_of(path);
+  if (format == "msh") return io::welded_surface(read_document(path));
+  const InputFile file(path);
   if (!is_known(format)) format = format_of_content(file);
   if (format == "stl") return io::read_stl(file);
   if (format == "off") return io::read_off(file);
   if (format == "obj") return io::read_obj(file);
   if (format == "ply") return io::read_ply(file);
-  fail_unknown(path, ending_of(path));
+  fail_unknown(path, ending_of(path), ".stl, .off, .obj, .ply or .msh");
 }
 
 void write_surface(const std::string& path, const TriangleSurface& surface,
                    const SurfaceWriteOptions& options) {
   const std::string format = options.format.empty() ? ending_of(path) : options.format;
   if (!is_known(format)) {
-    if (options.format.empty()) fail_unknown(path, format);
+    if (options.format.empty()) fail_unknown(path, format, ".stl, .off, .obj or .ply");
     throw InputError(fmt::format("unknown surface format '{}', expected stl, off, obj or ply", format));
   }
   const auto vertices = static_cast<Index>(surface.vertices.size());

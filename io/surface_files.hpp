@@ -18,7 +18,7 @@ namespace tetproof {
 /// found.
 TriangleSurface read_surface(const std::string& path);
 
-/// Whether the ending is one of those that `read_surface` knows.
+/// Whether the ending says that the file can be nothing but a surface: .stl, .off, .obj or .ply.
 bool is_surface_file(const std::string& path);
 
 /// What a surface is written as.
