@@ -2,6 +2,9 @@
 // tetproof-mesh SURFACE -o GRID: the paper's grid of a closed surface, judged before it is written.
 #include <fmt/core.h>
 
+#include <CGAL/version.h>
+#include <openvdb/version.h>
+
 #include <nlohmann/json.hpp>
 
 #include "corpus/surfaces.hpp"
@@ -192,7 +195,7 @@ int main(int argc, char** argv) {
   return program::run(argc, argv,
                       {.purpose = "Fills a closed surface, or the space around it, with tetrahedra by the method of Hamann, Chen and Hong (1994).",
                        .examples = examples,
-                       .libraries = {}},
+                       .libraries = {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}},
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {
                         auto a = std::make_shared<Arguments>();
                         declare_options(app, *a);
