@@ -20,7 +20,8 @@ Eigen::Vector3d octahedral_direction(const Eigen::Vector2d& uv) {
 }
 
 int octahedral_frequency(double n) {
-  return std::max(1, static_cast<int>(std::lround(std::sqrt(n / 8))));
+  const int f = std::max(1, static_cast<int>(std::sqrt(n / 8)));
+  return 8.0 * (f + 1) * (f + 1) - n < n - 8.0 * f * f ? f + 1 : f;
 }
 
 TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Eigen::Vector3d&)> place,

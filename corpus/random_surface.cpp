@@ -52,8 +52,7 @@ Recipe recipe(std::uint64_t seed) {
     case 3: {
       const int bodies = 2 + random.below(3);
       for (int body = 0; body < bodies; ++body)  // radii below 1.6, centres 3.3 apart
-        recipe.parts.push_back(
-            {star(random, random.between(0, 0.6), 6, 3.3 * body), 1, body > 0 && random.below(4) == 0});
+        recipe.parts.push_back({star(random, random.between(0, 0.6), 6, 3.3 * body)});
       break;
     }
     default:

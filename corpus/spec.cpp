@@ -41,7 +41,7 @@ double parse_value(const Values& values, const Parameter& parameter, std::string
   if (!parse_real(text, value) || !std::isfinite(value)) refuse("a finite number");
   if (parameter.kind == Kind::integer && value != std::floor(value)) refuse("a whole number");
   if (value < parameter.least || value > parameter.most)
-    refuse(fmt::format("{} to {}", parameter.least, parameter.most));
+    refuse(number_text(parameter.least) + " to " + number_text(parameter.most));
   return value;
 }
 
@@ -65,6 +65,12 @@ void Values::set(std::string_view key, double value) {
 
 void Values::refuse(const std::string& message) const {
   throw InputError(fmt::format("{}: {}", shown(spec_), message));
+}
+
+std::string number_text(double x) {
+  const std::string shortest = fmt::format("{:g}", x);
+  double same;
+  return parse_real(shortest, same) && same == x ? shortest : fmt::format("{}", x);
 }
 
 Values parse_values(const Generator& generator, const std::string& spec) {

@@ -61,6 +61,9 @@ struct Generator {
   std::optional<double> (*volume)(const Values&);  ///< of the smooth body [length^3]
 };
 
+/// A number as messages and lists show it: 1e+09 rather than 1000000000, but with all its digits.
+std::string number_text(double x);
+
 /// Reads "name:key=value,key=value" or "name" for `generator`, whose name it starts with. InputError with one
 /// line naming the key and the known ones, or the value and what was expected.
 Values parse_values(const Generator& generator, const std::string& spec);

@@ -93,10 +93,6 @@ TriangleSurface open_surface(const std::string& file_or_spec) {
 }
 
 std::string list_surfaces() {
-  const auto number = [](double x) {
-    std::string shortest = fmt::format("{:g}", x), all = fmt::format("{}", x);
-    return std::stod(shortest) == x ? shortest : all;
-  };
   std::string text;
   for (const Generator& generator : generators()) {
     text += fmt::format("{}: {}\n", generator.name, generator.meaning);
@@ -105,13 +101,13 @@ std::string list_surfaces() {
       const Parameter& p = generator.parameters[i];
       const bool digits = p.kind == Kind::four_digits;
       keys += fmt::format("{}{}={}", keys.empty() ? "" : ",", p.key,
-                          digits ? fmt::format("{:04}", static_cast<int>(p.preset)) : number(p.preset));
+                          digits ? fmt::format("{:04}", static_cast<int>(p.preset)) : number_text(p.preset));
       // Parameters that mean the same, as coordinates do, share a line.
       if (i + 1 < generator.parameters.size() &&
           std::string_view(p.meaning) == generator.parameters[i + 1].meaning)
         continue;
       const std::string range =
-          digits ? "four digits" : fmt::format("{} to {}", number(p.least), number(p.most));
+          digits ? "four digits" : fmt::format("{} to {}", number_text(p.least), number_text(p.most));
       text += fmt::format("    {:<14} {} ({})\n", keys, p.meaning, range);
       keys.clear();
     }

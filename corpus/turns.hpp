@@ -10,14 +10,13 @@ struct CosSin {
   double cos, sin;
 };
 
-/// cos(2 pi t) and sin(2 pi t), within 2 units in the last place of 1; exact at multiples of a quarter turn,
-/// and exactly periodic: t and t + 1 give the same bits where t + 1 is exact.
+/// cos(2 pi t) and sin(2 pi t), within 2 units in the last place of 1. Exact at multiples of a quarter turn,
+/// exactly even and odd, and t and t + 1 give the same bits where t + 1 is exact.
 inline CosSin cos_sin_turns(double t) {
-  t -= std::floor(t);
-  const double quarter = std::floor(4 * t + 0.5);
+  const double quarter = std::nearbyint(4 * t);            // ties to even, alike for t and -t
   const double x = (t - quarter / 4) * 6.283185307179586;  // the difference is exact; |x| <= pi / 4
   const double y = x * x;
-  // Taylor: the first terms left out are below 1e-19 here.
+  // Taylor: the first terms left out are below 1e-17 here.
   double c = 0, s = 0;
   for (int k = 8; k >= 1; --k) {
     c = -(1 + c) * y / ((2 * k - 1) * (2 * k));
@@ -25,16 +24,11 @@ inline CosSin cos_sin_turns(double t) {
   }
   c = 1 + c;
   s = x + x * s;
-  switch (static_cast<int>(quarter) & 3) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
+  const double turned = std::fmod(quarter, 4);  // exact; has the sign of t
+  if (turned == 1 || turned == -3) return {-s, c};
+  if (turned == 2 || turned == -2) return {-c, -s};
+  if (turned == 3 || turned == -1) return {s, -c};
+  return {c, s};
 }
 
 }  // namespace tetproof::corpus

@@ -34,6 +34,16 @@ struct Section {
     if (m == 0) return 0;
     return 2 * m / (x < p ? p * p : (1 - p) * (1 - p)) * (p - x);
   }
+  // Does the thickness reach the mean line's centre of curvature anywhere?
+  bool folds() const {
+    if (m == 0) return false;
+    for (int i = 1; i < 1000; ++i) {
+      const double s = i / 1000.0, slope = mean_slope(s * s),
+                   bend = 2 * m / (s * s < p ? p * p : (1 - p) * (1 - p));
+      if (half_thickness(s) * bend >= std::pow(1 + slope * slope, 1.5)) return true;
+    }
+    return false;
+  }
   // Area over chord^2: the integral of the thickness along the mean line (laid off to both sides alike, its
   // curvature cancels).
   double area() const {
@@ -57,6 +67,7 @@ Section section(const Values& values) {
   if (section.m > 0 && section.p == 0)
     values.refuse(
         "naca: expected a place of the camber (second digit) of 1 to 9, as the first digit is not 0");
+  if (section.folds()) values.refuse("naca: too thick for its camber, the section folds over itself");
   return section;
 }
 
@@ -82,7 +93,8 @@ TriangleSurface make(const Values& values) {
 
   // k stations from the leading to the trailing edge, nv strips along the span: 4 k nv + 8 k - 8 triangles.
   const double n = values["n"];
-  const int k = std::max(2, static_cast<int>(std::lround((std::sqrt(4 + n * aspect) - 2) / (2 * aspect))));
+  const double square = (std::sqrt(4 + n * aspect) - 2) / (2 * aspect);  // k for nv = k aspect
+  const int k = std::max(2, static_cast<int>(std::lround(square * aspect < 1 ? (n + 8) / 12 : square)));
   const int nv = std::max(1, static_cast<int>(std::lround((n + 8 - 8.0 * k) / (4.0 * k))));
   const auto uv = [&](int i, int j) {  // -k <= i <= k
     return Eigen::Vector2d(static_cast<double>(i) / k, j < 0    ? -1.0
@@ -118,7 +130,7 @@ TriangleSurface make(const Values& values) {
     if (!sharp_first) add({i, nv + 1}, {i, nv}, {i + 1, nv});
     if (!sharp_last) add({i, sharp_first ? nv : nv + 1}, {i + 1, nv}, {i + 1, nv + 1});
   }
-  // A thick section on a strongly bent mean line folds over itself; its tip shows it.
+  // With few stations even a section that does not fold may do so; its tips show it.
   for (std::size_t t = tips; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     const Eigen::Vector3d p = surface.vertices[b] - surface.vertices[a],
