@@ -41,7 +41,7 @@ const std::vector<Job> jobs{
 
 // An octahedron, cut into four tetrahedra around its long diagonal.
 constexpr const char* octahedron_node = "6 3 0 0\n1 1 0 0\n2 0 1 0\n3 -1 0 0\n4 0 -1 0\n5 0 0 1\n6 0 0 -1\n";
-constexpr const char* octahedron_ele = "4 4 0\n1 1 2 5 6\n2 2 3 5 6\n3 3 4 5 6\n4 4 1 5 6\n";
+constexpr const char* octahedron_ele = "4 4 0\n1 1 2 6 5\n2 2 3 6 5\n3 3 4 6 5\n4 4 1 6 5\n";
 constexpr const char* octahedron_off =
     "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n"
     "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n";
