@@ -142,6 +142,22 @@ std::int64_t Scanner::integer(const char* expected, char comment) {
   return value;
 }
 
+void Scanner::expect_in_line(const char* expected, char comment) {
+  if (at_line_end(comment))
+    fail_in_line(
+        fmt::format("expected {}, found the end of the {}", expected, remaining() ? "line" : "file"));
+}
+
+double Scanner::real_in_line(const char* expected, char comment) {
+  expect_in_line(expected, comment);
+  return real(expected, comment);
+}
+
+std::int64_t Scanner::integer_in_line(const char* expected, char comment) {
+  expect_in_line(expected, comment);
+  return integer(expected, comment);
+}
+
 std::int64_t Scanner::count(const char* expected, std::size_t least_bytes_each, char comment) {
   const std::int64_t value = integer(expected, comment);
   const std::size_t most = remaining() / least_bytes_each + 1;  // the last one may lack its line end

@@ -56,6 +56,9 @@ class Scanner {
   double real(const char* expected,
               char comment = '\0');  ///< decimal, exactly rounded; takes +, inf, nan, D exponents
   std::int64_t integer(const char* expected, char comment = '\0');
+  /// The same, but the number must stand in this line: a short line is told as such, not as what follows it.
+  double real_in_line(const char* expected, char comment = '\0');
+  std::int64_t integer_in_line(const char* expected, char comment = '\0');
   /// An integer in [0, most]: a count that the rest of the file could hold. Nothing is allocated for more.
   std::int64_t count(const char* expected, std::size_t least_bytes_each, char comment = '\0');
 
@@ -69,6 +72,8 @@ class Scanner {
   [[noreturn]] void fail_in_line(std::string_view message) const;
 
  private:
+  void expect_in_line(const char* expected, char comment);
+
   const std::string* path_;
   std::string_view bytes_;
   std::size_t at_ = 0;

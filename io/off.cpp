@@ -55,7 +55,8 @@ TriangleSurface read_off(const InputFile& file) {
   points.reserve(vertices);
   for (std::int64_t i = 0; i < vertices; ++i) {
     Eigen::Vector3d& point = points.emplace_back();
-    for (int k = 0; k < 3; ++k) point[k] = scanner.real("a coordinate", '#');
+    scanner.at_end('#');
+    for (int k = 0; k < 3; ++k) point[k] = scanner.real_in_line("a coordinate", '#');
     skip_numbers(scanner);
   }
   SurfaceFaces surface(file, std::move(points), 0, true);
@@ -66,7 +67,7 @@ TriangleSurface read_off(const InputFile& file) {
     scanner.at_end('#');
     const std::size_t place = scanner.offset();
     corners.resize(scanner.count("the number of a face's corners", 2, '#'));
-    for (std::int64_t& corner : corners) corner = scanner.integer("a vertex", '#');
+    for (std::int64_t& corner : corners) corner = scanner.integer_in_line("a vertex", '#');
     skip_numbers(scanner);
     surface.add(corners, place);
   }

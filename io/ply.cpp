@@ -136,7 +136,7 @@ class Data {
   Data(Scanner& scanner, const Header& header) : scanner_(scanner), header_(header) {}
 
   double number(const Type& type) {
-    if (header_.text) return scanner_.real("a number");
+    if (header_.text) return scanner_.real_in_line("a number");
     return type.load(scanner_.raw(type.bytes, "a number").data(), header_.order);
   }
   /// The number of a list's entries, no more than the rest of the file can hold.
@@ -174,7 +174,8 @@ class Data {
     const std::string_view found = scanner_.word();
     scanner_.fail(expected, found);
   }
-  std::size_t place() {
+  /// Where the next instance starts.
+  std::size_t start_instance() {
     if (header_.text) scanner_.at_end();
     return scanner_.offset();
   }
@@ -204,6 +205,7 @@ void skip(Data& data, const Element& element, bool text) {
   if (element.properties.empty()) return;
   data.begin(element, least_bytes(element, text));
   for (std::int64_t i = 0; i < element.count; ++i) {
+    data.start_instance();
     for (const Property& property : element.properties) skip(data, property);
     data.end_instance();
   }
@@ -221,6 +223,7 @@ std::vector<Eigen::Vector3d> read_vertices(Data& data, const Element& element, b
   std::vector<Eigen::Vector3d> points;
   points.reserve(element.count);
   for (std::int64_t i = 0; i < element.count; ++i) {
+    data.start_instance();
     Eigen::Vector3d& point = points.emplace_back();
     for (std::size_t k = 0; k < axis.size(); ++k)
       if (axis[k] < 0)
@@ -242,7 +245,7 @@ void read_faces(Data& data, const Element& element, bool text, SurfaceFaces& sur
       element.count, data.remaining() / (text ? 8 : 4)));  // no face with three corners is shorter
   std::vector<std::int64_t> corners;
   for (std::int64_t i = 0; i < element.count; ++i) {
-    const std::size_t place = data.place();
+    const std::size_t place = data.start_instance();
     bool found = false;
     for (const Property& property : element.properties) {
       if (found || !names_corners(property)) {
