@@ -111,7 +111,6 @@ class Lister {
     for (const Section& section : document_.sections)
       if (format_.rfind("msh", 0) != 0 || !io::keeps_section(section, format_, binary_) || drops_data_)
         add(fmt::format("section ${}", section.name), 1, fmt::format("{} bytes", section.body.size()));
-    if (format_ == "stl" && binary_) rounding();
     return std::move(losses_);
   }
 
@@ -189,16 +188,30 @@ class Lister {
   // Surfaces keep no vertices that belong to other elements, and STL none that no triangle uses.
   void unused_vertices() {
     const TriangleSurface surface = surface_of(document_);
-    std::size_t kept = surface.vertices.size();
-    if (format_ == "stl") {
-      std::vector<bool> used(kept);
-      for (const auto& triangle : surface.triangles)
-        for (Index i : triangle)
-          if (i >= 0) used[i] = true;
-      kept = std::count(used.begin(), used.end(), true);
-    }
-    add("nodes that no triangle has as a corner", static_cast<std::int64_t>(document_.points.size() - kept),
+    const std::vector<bool> used = used_vertices(surface);
+    const auto kept = format_ == "stl" ? std::count(used.begin(), used.end(), true)
+                                       : static_cast<std::ptrdiff_t>(surface.vertices.size());
+    add("nodes that no triangle has as a corner", static_cast<std::int64_t>(document_.points.size()) - kept,
         fmt::format("of {} nodes", document_.points.size()));
+    if (format_ == "stl" && binary_) rounding(surface, used);
+  }
+
+  static std::vector<bool> used_vertices(const TriangleSurface& surface) {
+    std::vector<bool> used(surface.vertices.size());
+    for (const auto& triangle : surface.triangles)
+      for (Index i : triangle)
+        if (i >= 0) used[i] = true;
+    return used;
+  }
+
+  void rounding(const TriangleSurface& surface, const std::vector<bool>& used) {
+    std::int64_t rounded = 0;
+    std::string first;
+    for (std::size_t i = 0; i < used.size(); ++i)
+      for (double x : surface.vertices[i])
+        if (used[i] && static_cast<double>(static_cast<float>(x)) != x && !std::isnan(x) && rounded++ == 0)
+          first = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
+    add("coordinates rounded to 32 bits", rounded, first);
   }
 
   void entities() {
@@ -230,10 +243,16 @@ class Lister {
           fmt::format("node {} on entity {} of dimension {}",
                       document_.node_tag(document_.node_blocks[0].first), document_.node_blocks[0].entity,
                       document_.node_blocks[0].dim));
-    if (!holds_.entities)
-      for (const Entity& entity : io::underived_entities(document_))
-        add("entities with their boxes and boundaries", 1,
-            fmt::format("{} of dimension {}", entity.tag, entity.dim));
+    if (holds_.entities) return;
+    const std::vector<Entity> underived = io::underived_entities(document_);
+    for (const Entity& entity : document_.entities) {
+      const bool told_by_elements = std::none_of(
+          underived.begin(), underived.end(),
+          [&](const Entity& other) { return other.dim == entity.dim && other.tag == entity.tag; });
+      if (told_by_elements && (holds_.entity_of_element || entity.tag == 0 || entity.tag == 1)) continue;
+      add("entities with their boxes and boundaries", 1,
+          fmt::format("{} of dimension {}", entity.tag, entity.dim));
+    }
   }
 
   bool in_partitioned_entity(const ElementBlock& block) const {
@@ -279,17 +298,6 @@ class Lister {
     };
     check(document_.node_values, "nodes");
     check(document_.element_values, "elements");
-  }
-
-  void rounding() {
-    std::int64_t rounded = 0;
-    std::string first;
-    for (std::size_t i = 0; i < document_.points.size(); ++i)
-      for (double x : document_.points[i])
-        if (static_cast<double>(static_cast<float>(x)) != x && !std::isnan(x) && rounded++ == 0)
-          first = fmt::format("{} at node {} becomes {}", x, document_.node_tag(i),
-                              static_cast<double>(static_cast<float>(x)));
-    add("coordinates rounded to 32 bits", rounded, first);
   }
 
   const Document& document_;

@@ -160,7 +160,8 @@ class Reader {
     std::size_t stop = start;
     for (;; ++stop) {
       stop = bytes.find(end, stop);
-      if (stop == std::string_view::npos) in_.fail_in_line(fmt::format("section ${} has no {}", name, end));
+      if (stop == std::string_view::npos)  // the place: the section's first line, not the one after it
+        Scanner(file_.path(), bytes, start - 1).fail_in_line(fmt::format("section ${} has no {}", name, end));
       const std::size_t after = stop + end.size();
       const bool starts_line = binary_ || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
       if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' ')) break;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A document as a few lines of text, for tests to write down what they expect.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "io/document.hpp"
+
+namespace tetproof::test {
+
+/// Nodes as "n TAG X Y Z", elements as "e TAG TYPE DIM/ENTITY gGROUPS pPARTITIONS: NODES" (?N: a node N that
+/// does not exist), node blocks as "N DIM/ENTITY COUNT: PARAMETERS", entities as "E DIM/TAG BOX gGROUPS
+/// bBOUNDARY (PARENT pPARTITIONS)". Doubles are the shortest text that names them.
+inline std::string text_of(const Document& document, bool with_format = true) {
+  std::string text = with_format ? document.format + "\n" : "";
+  for (const GroupName& name : document.group_names)
+    text += fmt::format("G {} {} {}\n", name.dim, name.group, name.name);
+  for (const Entity& entity : document.entities) {
+    text += fmt::format("E {}/{} {} g{} b{}", entity.dim, entity.tag, fmt::join(entity.box, " "),
+                        fmt::join(document.tag_sets.at(entity.groups), ","), fmt::join(entity.boundary, ","));
+    if (entity.parent_dim >= 0)
+      text += fmt::format(" ({}/{} p{})", entity.parent_dim, entity.parent,
+                          fmt::join(document.tag_sets.at(entity.partitions), ","));
+    text += "\n";
+  }
+  for (const GhostEntity& ghost : document.ghosts)
+    text += fmt::format("ghost {} {}\n", ghost.tag, ghost.partition);
+  for (std::size_t i = 0; i < document.points.size(); ++i)
+    text += fmt::format("n {} {}\n", document.node_tag(i),
+                        fmt::join(document.points[i].data(), document.points[i].data() + 3, " "));
+  for (const NodeBlock& block : document.node_blocks) {
+    const double* parameters = document.parameters.data() + block.parameters;
+    text += fmt::format("N {}/{} {}: {}\n", block.dim, block.entity, block.count,
+                        fmt::join(parameters, parameters + block.count * block.parameters_each, " "));
+  }
+  for (const ElementBlock& block : document.blocks)
+    for (std::size_t e = 0; e < block.count; ++e) {
+      text += fmt::format("e {} {} {}/{} g{} p{}:", document.element_tag(block.first + e), block.type,
+                          block.dim, block.entity, fmt::join(document.tag_sets.at(block.groups), ","),
+                          fmt::join(document.tag_sets.at(block.partitions), ","));
+      for (int k = 0; k < block.nodes_each; ++k) {
+        const Index node = document.connectivity.at(block.nodes + e * block.nodes_each + k);
+        text += node < 0 ? fmt::format(" ?{}", document.unknown.at(-1 - node))
+                         : fmt::format(" {}", document.node_tag(node));
+      }
+      text += "\n";
+    }
+  for (const auto& [values, of] :
+       {std::pair{&document.node_values, "nodes"}, {&document.element_values, "elements"}})
+    for (const Values& v : *values)
+      text += fmt::format("v {} {} {}: {}{}\n", of, v.name, v.components, fmt::join(v.reals, " "),
+                          fmt::join(v.integers, " "));
+  for (const Section& section : document.sections)
+    text += fmt::format("S {}{} [{}]\n", section.before_nodes ? "^" : "", section.name, section.body);
+  return text;
+}
+
+}  // namespace tetproof::test

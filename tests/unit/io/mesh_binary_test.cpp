@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Binary .msh of both byte orders, put together here byte by byte.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "document_text.hpp"
+#include "io/mesh_files.hpp"
+#include "test_files.hpp"
+
+namespace tetproof {
+namespace {
+
+class Bytes {
+ public:
+  explicit Bytes(bool swapped) : swapped_(swapped) {}
+  Bytes& text(const std::string& text) {
+    bytes_ += text;
+    return *this;
+  }
+  Bytes& ints(std::initializer_list<std::int32_t> values) { return all(values); }
+  Bytes& sizes(std::initializer_list<std::int64_t> values) { return all(values); }
+  Bytes& reals(std::initializer_list<double> values) { return all(values); }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class T>
+  Bytes& all(std::initializer_list<T> values) {
+    for (T value : values) {
+      char raw[sizeof(T)];
+      std::memcpy(raw, &value, sizeof(T));
+      if (swapped_) std::reverse(raw, raw + sizeof(T));
+      bytes_.append(raw, sizeof(T));
+    }
+    return *this;
+  }
+  const bool swapped_;
+  std::string bytes_;
+};
+
+class BinaryMsh : public testing::TestWithParam<bool> {};
+
+TEST_P(BinaryMsh, Version41) {
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n4.1 1 8\n").ints({1}).text("\n$EndMeshFormat\n");
+  bytes.text("$PhysicalNames\n1\n3 7 \"steel\"\n$EndPhysicalNames\n$Entities\n").sizes({1, 0, 1, 1});
+  bytes.ints({5}).reals({0.1, -0.0, 1e300}).sizes({0});
+  bytes.ints({2}).reals({0, 0, 0, 1, 1, 0}).sizes({0}).sizes({0});
+  bytes.ints({1})
+      .reals({0, 0, 0, 1, 1, 1})
+      .sizes({2})
+      .ints({7, -8})
+      .sizes({1})
+      .ints({-2})
+      .text("\n$EndEntities\n");
+  bytes.text("$Nodes\n").sizes({2, 5, 1, 1LL << 40});
+  bytes.ints({2, 2, 1}).sizes({1}).sizes({1LL << 40}).reals({0.1, 0.2, 0.3, 5e-324, 17.000000000000004});
+  bytes.ints({3, 1, 0}).sizes({4}).sizes({1, 2, 3, 4}).reals({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  bytes.text("\n$EndNodes\n$Elements\n").sizes({2, 3, 9, 11});
+  bytes.ints({3, 1, 4}).sizes({2}).sizes({9, 1, 2, 3, 4, 10, 1, 2, 3, 1LL << 40});
+  bytes.ints({2, 2, 2}).sizes({1}).sizes({11, 1, 2, 77}).text("\n$EndElements\n");
+  bytes.text("$NodeData\n1\n\"T\"\n0\n3\n0\n1\n1\n").ints({2}).reals({0.5}).text("\n$EndNodeData\n");
+  const test::TestFiles files;
+  const Document document = read_document(files.write("a.msh", bytes.bytes()));
+  EXPECT_EQ(
+      test::text_of(document).substr(0, test::text_of(document).find("S ")),
+      "msh41\nG 3 7 steel\nE 0/5 0.1 -0 1e+300 0.1 -0 1e+300 g b\nE 2/2 0 0 0 1 1 0 g b\n"
+      "E 3/1 0 0 0 1 1 1 g7,-8 b-2\nn 1099511627776 0.1 0.2 0.3\nn 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\n"
+      "N 2/2 1: 5e-324 17.000000000000004\nN 3/1 4: \ne 9 4 3/1 g7,-8 p: 1 2 3 4\n"
+      "e 10 4 3/1 g7,-8 p: 1 2 3 1099511627776\ne 11 2 2/2 g p: 1 2 ?77\n");
+  ASSERT_EQ(document.sections.size(), 1u);
+  EXPECT_EQ(document.sections[0].body.size(), 29u);  // 16 of text, 12 of numbers, a line end
+  EXPECT_TRUE(document.sections[0].binary);
+  EXPECT_EQ(document.sections[0].swapped, GetParam());
+  // Written again in this machine's order: the same content, and in that order the very same bytes.
+  write_document(files.path("b.msh"), document, {.binary = true});
+  Document again = read_document(files.path("b.msh"));
+  EXPECT_EQ(again.sections.size(), GetParam() ? 0u : 1u);
+  again.sections = document.sections;
+  EXPECT_EQ(test::text_of(again), test::text_of(document));
+  if (!GetParam()) {
+    EXPECT_EQ(test::TestFiles::read(files.path("b.msh")), bytes.bytes());
+  }
+}
+
+TEST_P(BinaryMsh, Version22) {
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n2.2 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Nodes\n4\n");
+  for (int k = 0; k < 4; ++k)
+    bytes.ints({10 + k}).reals({k == 1 ? 1. : -0., k == 2 ? 0.1 : 0, k == 3 ? 5e-324 : 0});
+  bytes.text("\n$EndNodes\n$Elements\n5\n");
+  bytes.ints({4, 2, 2}).ints({1, 7, 5, 10, 11, 12, 13}).ints({2, -7, 5, 10, 11, 12, 99});
+  bytes.ints({2, 1, 0}).ints({3, 10, 11, 12});
+  bytes.ints({4, 1, 5}).ints({4, 7, 5, 2, 1, -2, 10, 11, 12, 13});  // partition 1, ghost in 2
+  bytes.ints({15, 1, 1}).ints({5, 3, 10}).text("\n$EndElements\n");
+  const test::TestFiles files;
+  const Document document = read_document(files.write("a.msh", bytes.bytes()));
+  EXPECT_EQ(test::text_of(document),
+            "msh22\nn 10 -0 0 0\nn 11 1 0 0\nn 12 -0 0.1 0\nn 13 -0 0 5e-324\ne 1 4 3/5 g7 p: 10 11 12 13\n"
+            "e 2 4 3/5 g-7 p: 10 11 12 ?99\ne 3 2 2/0 g p: 10 11 12\ne 4 4 3/5 g7 p1,-2: 10 11 12 13\n"
+            "e 5 15 0/0 g3 p: 10\n");
+}
+
+TEST_P(BinaryMsh, Version22WithoutLineEndsBeforeTheEnds) {  // as some writers leave it
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n2.2 1 8\n")
+      .ints({1})
+      .text("$EndMeshFormat\n$Nodes\n1\n")
+      .ints({7})
+      .reals({1, 2, 3});
+  bytes.text("$EndNodes\n$Elements\n1\n").ints({15, 1, 2, 1, 0, 4, 7}).text("$EndElements\n");
+  const test::TestFiles files;
+  EXPECT_EQ(test::text_of(read_document(files.write("a.msh", bytes.bytes()))),
+            "msh22\nn 7 1 2 3\ne 1 15 0/4 g p: 7\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(ByteOrder, BinaryMsh, testing::Bool(),
+                         [](const auto& test) { return test.param ? "Other" : "Ours"; });
+
+}  // namespace
+}  // namespace tetproof
