@@ -46,4 +46,10 @@ void AtomicFile::fail(const char* what) const {
   throw InputError(fmt::format("{}: {}: {}", path_, what, std::strerror(errno)));
 }
 
+void check_creatable(const std::string& path) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) return;
+  const AtomicFile attempt(path);
+}
+
 }  // namespace tetproof

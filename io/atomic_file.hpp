@@ -27,4 +27,8 @@ class AtomicFile {
   std::FILE* file_ = nullptr;
 };
 
+/// Throws as AtomicFile does when no file can be made at `path`, and leaves nothing there: so that a long job fails before it
+/// begins. What is neither a file nor a folder (a pipe, a device) is not touched.
+void check_creatable(const std::string& path);
+
 }  // namespace tetproof

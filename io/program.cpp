@@ -78,6 +78,7 @@ int run(int argc, char** argv, const Description& description,
         common.threads > 0 ? static_cast<std::size_t>(common.threads)
                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    if (!common.json.empty() && common.json != "-") check_creatable(common.json);
     return work();
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", name, one_line(error.what()));

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "corpus/surfaces.hpp"
+#include "io/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
@@ -147,6 +148,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (a.grid.empty()) throw InputError("expected -o GRID (see tetproof-mesh --help)");
   if (a.points != "0") throw InputError("--points: expected 0, found '" + a.points + "': section 3 of the paper is not here yet");
   format_of(a.grid);  // refuses an unknown ending before the work
+  check_creatable(a.grid);
 
   Stopwatch watch;
   reference::Options options = a.options;
