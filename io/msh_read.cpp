@@ -33,6 +33,8 @@ class Reader {
         break;
       }
       const std::string name(word.substr(1));
+      if (!std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; }))
+        in_.fail("a section ($Name)", word);
       if (document_.format.empty() && name != "MeshFormat" && name != "Comments")
         in_.fail("$MeshFormat", word);
       in_.next_line();

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// tetproof-convert as a script sees it: exit codes, losses, --strict, --info.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "run_program.hpp"
+
+namespace tetproof::test {
+namespace {
+
+const char* const two_groups =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"steel\"\n$EndPhysicalNames\n"
+    "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 7 8 0\n$EndEntities\n"
+    "$Nodes\n1 4 10 40\n3 1 0 4\n10\n20\n30\n40\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
+    "$Elements\n1 1 1 1\n3 1 4 1\n1 10 20 30 40\n$EndElements\n";
+
+TEST(Convert, SaysWhatIsLostAndConverts) {
+  const ScratchFolder folder;
+  const std::string in = folder.write("a.msh", two_groups);
+  const Outcome run = run_program(
+      {program("tetproof-convert"), in, folder / "b.ele", "--losses", folder / "lost.json", "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_EQ(run.err,
+            "lost: numbers of nodes: 4 (the first is 10)\nlost: physical groups of elements: 1 (element 1 in "
+            "groups 7 8)\n"
+            "lost: names of physical groups: 1 (steel)\n");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.ele", "b.node", "lost.json"}));
+  EXPECT_EQ(folder.read("b.ele"), "1 4 0\n1 1 2 3 4\n");
+  const auto lost = nlohmann::json::parse(folder.read("lost.json")), all = nlohmann::json::parse(run.out);
+  EXPECT_EQ(lost["losses"].size(), 3u);
+  EXPECT_EQ(lost["losses"][0],
+            (nlohmann::json{{"item", "numbers of nodes"}, {"count", 4}, {"example", "the first is 10"}}));
+  EXPECT_EQ(all["losses"], lost["losses"]);
+  EXPECT_EQ(all["output"]["format"], "tetgen");
+  EXPECT_EQ(all["input"]["nodes"]["largest"], 40);
+}
+
+TEST(Convert, StrictWithALossWritesNothing) {
+  const ScratchFolder folder;
+  const std::string in = folder.write("a.msh", two_groups);
+  const Outcome run =
+      run_program({program("tetproof-convert"), in, folder / "b.msh", "--to", "msh22", "--strict"});
+  EXPECT_EQ(run.exit_code, 1) << run;
+  EXPECT_EQ(lines(run.err), 2u) << run;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.msh"});
+}
+
+TEST(Convert, StrictWithoutALossConverts) {
+  const ScratchFolder folder;
+  const std::string in = folder.write("a.msh", two_groups);
+  EXPECT_EQ(
+      run_program({program("tetproof-convert"), in, folder / "b.msh", "--binary", "--strict"}).exit_code, 0);
+  EXPECT_EQ(
+      run_program({program("tetproof-convert"), folder / "b.msh", folder / "c.msh", "--strict"}).exit_code,
+      0);
+  const std::string again = folder.read("c.msh");
+  EXPECT_EQ(again.substr(again.find("$Nodes")),
+            std::string(two_groups).substr(std::string(two_groups).find("$Nodes")));
+}
+
+TEST(Convert, UsageAndInput) {
+  const ScratchFolder folder;
+  const std::string in = folder.write("a.msh", two_groups),
+                    bad = folder.write("bad.msh", "$MeshFormat\n4.1 0\n");
+  const auto said = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), program("tetproof-convert"));
+    const Outcome run = run_program(words, {.directory = folder / ""});
+    EXPECT_EQ(run.exit_code, 2) << run;
+    EXPECT_EQ(lines(run.err), 1u) << run;
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_EQ(said({"a.msh"}), "tetproof-convert: OUT is missing (or ask for --info)\n");
+  EXPECT_EQ(said({"a.msh", "b.msh", "--info"}), "tetproof-convert: --info writes no file: leave out OUT\n");
+  EXPECT_EQ(
+      said({"a.msh", "b.xyz"}),
+      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .vtu .stl .off .obj .ply\n");
+  EXPECT_EQ(said({"a.msh", "b.node", "--binary"}),
+            "tetproof-convert: b.node: TetGen .node and .ele is never binary\n");
+  EXPECT_EQ(
+      said({"a.msh", "b.msh", "--to", "nas"}),
+      "tetproof-convert: unknown format 'nas', expected one of msh41 msh22 tetgen vtu stl off obj ply\n");
+  EXPECT_EQ(
+      said({"bad.msh", "b.msh"}),
+      "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");
+  EXPECT_EQ(said({"none.msh", "b.msh"}),
+            "tetproof-convert: none.msh: cannot open: No such file or directory\n");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh"}));
+}
+
+TEST(Convert, Info) {
+  const ScratchFolder folder;
+  const Outcome run = run_program({program("tetproof-convert"), "--info", folder.write("a.msh", two_groups)},
+                                  {.directory = folder / ""});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_NE(run.out.find("a.msh: msh41\n"
+                         "         4 nodes, numbered 10 to 40\n"
+                         "           in (0, 0, 0) to (1, 1, 1)\n"
+                         "         1 elements, numbered 1 to 1\n"
+                         "         1 of them tetrahedron of 4 nodes (Gmsh's type 4)\n"
+                         "         1 entities of dimension 3\n"
+                         "         1 elements in group 7 of dimension 3 \"steel\"\n"
+                         "         1 elements in group 8 of dimension 3\n"),
+            std::string::npos)
+      << run;
+}
+
+}  // namespace
+}  // namespace tetproof::test
