@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "verify/box.hpp"
 #include "verify/chunks.hpp"
@@ -19,6 +20,38 @@ using Point = Kernel::Point_3;
 Point point(std::span<const Eigen::Vector3d> points, Index i) {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   return {p.x(), p.y(), p.z()};
+}
+
+// Points of one plane, seen along an axis that is not in it: cheaper there, and as exact.
+struct Projection {
+  int i = 0, j = 1;
+
+  // The plane of a triangle that has an area.
+  Projection(std::span<const Eigen::Vector3d> points, const Triangle& t) {
+    for (i = 0; i < 2; ++i)
+      for (j = i + 1; j < 3; ++j)
+        if (CGAL::orientation((*this)(points, t[0]), (*this)(points, t[1]), (*this)(points, t[2])) !=
+            CGAL::COLLINEAR)
+          return;
+    throw std::logic_error("a triangle without an area was tested for intersection");
+  }
+  Kernel::Point_2 operator()(std::span<const Eigen::Vector3d> points, Index v) const {
+    return {points[static_cast<std::size_t>(v)][i], points[static_cast<std::size_t>(v)][j]};
+  }
+};
+
+using Flat = Kernel::Point_2;
+
+// The segment against the closed triangle, both in a plane. Two convex sets are apart if a line along a side
+// of one of them separates them.
+bool meets(const Flat& p, const Flat& q, const Flat& a, const Flat& b, const Flat& c) {
+  const CGAL::Orientation inside = CGAL::orientation(a, b, c), outside = -inside;
+  const auto beyond = [&](const Flat& u, const Flat& v) {
+    return CGAL::orientation(u, v, p) == outside && CGAL::orientation(u, v, q) == outside;
+  };
+  if (beyond(a, b) || beyond(b, c) || beyond(c, a)) return false;
+  const CGAL::Orientation side = CGAL::orientation(p, q, a);
+  return side == CGAL::COLLINEAR || CGAL::orientation(p, q, b) != side || CGAL::orientation(p, q, c) != side;
 }
 
 // The segment against the closed triangle.
@@ -62,14 +95,21 @@ bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& fir
       // vertex.
       const Point e = p(t[1]), f = p(t[2]);
       const auto side_e = CGAL::orientation(a, b, c, e), side_f = CGAL::orientation(a, b, c, f);
-      if (side_e == side_f && side_e != CGAL::COPLANAR) return false;
+      if (side_e == side_f) {
+        if (side_e != CGAL::COPLANAR) return false;
+        const Projection flat(points, s);
+        const auto q = [&](Index i) { return flat(points, i); };
+        return meets(q(t[1]), q(t[2]), q(s[0]), q(s[1]), q(s[2])) ||
+               meets(q(s[1]), q(s[2]), q(t[0]), q(t[1]), q(t[2]));
+      }
       return meets(e, f, a, b, c) || meets(b, c, a, e, f);
     }
     case 2: {
       // Only when folded flat: in one plane and on the same side of the common edge.
-      const Point d = p(t[2]);
-      return CGAL::orientation(a, b, c, d) == CGAL::COPLANAR &&
-             CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
+      if (CGAL::orientation(a, b, c, p(t[2])) != CGAL::COPLANAR) return false;
+      const Projection flat(points, s);
+      const auto q = [&](Index i) { return flat(points, i); };
+      return CGAL::orientation(q(s[0]), q(s[1]), q(s[2])) == CGAL::orientation(q(s[0]), q(s[1]), q(t[2]));
     }
     default:
       return true;
