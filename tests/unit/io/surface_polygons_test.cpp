@@ -2,8 +2,8 @@
 // Polygons: which become fans and where those start, and which are refused.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <ostream>
 #include <string>
@@ -213,9 +213,9 @@ TEST(Polygons, TimeGrowsWithTheCorners) {
   const test::TestFiles files;
   const int n = 200000;
   const std::string path = files.write("a.obj", obj(regular(n)));
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // CPU time, in which other programs have no part
   const TriangleSurface surface = read_surface(path);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);  // quadratic: minutes; sanitizers: seconds
   EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(n - 2));
   double area = 0;
   for (const auto& t : surface.triangles) {
