@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
+#include <tuple>
 
 #include "io/element_types.hpp"
 #include "io/msh.hpp"
@@ -98,6 +99,9 @@ class Lister {
  public:
   Lister(const Document& document, std::string format, bool binary)
       : document_(document), format_(std::move(format)), binary_(binary), holds_(holds(format_)) {
+    if (format_ == "tetgen") tetgen_ = io::tetgen_limits(document);
+    for (const Entity& entity : document.entities)
+      if (entity.parent_dim >= 0) partitioned_.insert({entity.dim, entity.tag, entity.partitions});
     surface_ = format_ != "msh41" && format_ != "msh22" && format_ != "vtu" && format_ != "tetgen";
   }
 
@@ -147,9 +151,8 @@ class Lister {
         add(what, count, first);
         continue;
       }
-      const bool corners_only =
-          type && type->nodes > type->corners &&
-          (surface_ || (format_ == "tetgen" && io::tetgen_limits(document_).nodes_each == type->corners));
+      const bool corners_only = type && type->nodes > type->corners &&
+                                (surface_ || (format_ == "tetgen" && tetgen_.nodes_each == type->corners));
       if (corners_only) add("nodes between the corners of " + what, count, first);
       if (!holds_.unknown_nodes) unknown_nodes(block);
     }
@@ -172,7 +175,7 @@ class Lister {
     const auto plain = [](std::int64_t first) { return first == 0 || first == 1; };
     bool lost_nodes = !holds_.tags && (!document_.node_tags.empty() || !plain(document_.first_node));
     bool lost_elements = !holds_.tags && (!document_.element_tags.empty() || !plain(document_.first_element));
-    if (format_ == "tetgen") lost_elements = io::tetgen_limits(document_).renumber_elements;
+    if (format_ == "tetgen") lost_elements = tetgen_.renumber_elements;
     if (format_ == "msh22") {
       const io::Msh22Limits limits = io::msh22_limits(document_, binary_);
       lost_nodes = limits.renumber_nodes, lost_elements = limits.renumber_elements;
@@ -244,11 +247,10 @@ class Lister {
                       document_.node_tag(document_.node_blocks[0].first), document_.node_blocks[0].entity,
                       document_.node_blocks[0].dim));
     if (holds_.entities) return;
-    const std::vector<Entity> underived = io::underived_entities(document_);
+    std::set<std::pair<int, std::int64_t>> underived;
+    for (const Entity& entity : io::underived_entities(document_)) underived.insert({entity.dim, entity.tag});
     for (const Entity& entity : document_.entities) {
-      const bool told_by_elements = std::none_of(
-          underived.begin(), underived.end(),
-          [&](const Entity& other) { return other.dim == entity.dim && other.tag == entity.tag; });
+      const bool told_by_elements = !underived.count({entity.dim, entity.tag});
       if (told_by_elements && (holds_.entity_of_element || entity.tag == 0 || entity.tag == 1)) continue;
       add("entities with their boxes and boundaries", 1,
           fmt::format("{} of dimension {}", entity.tag, entity.dim));
@@ -256,9 +258,7 @@ class Lister {
   }
 
   bool in_partitioned_entity(const ElementBlock& block) const {
-    return std::any_of(document_.entities.begin(), document_.entities.end(), [&](const Entity& entity) {
-      return entity.dim == block.dim && entity.tag == block.entity && entity.partitions == block.partitions;
-    });
+    return partitioned_.count({block.dim, block.entity, block.partitions}) > 0;
   }
 
   void groups() {
@@ -305,6 +305,8 @@ class Lister {
   const bool binary_;
   const Holds holds_;
   bool surface_ = false, drops_data_ = false;
+  io::TetgenLimits tetgen_;
+  std::set<std::tuple<int, std::int64_t, std::int32_t>> partitioned_;  // entities
   std::vector<Loss> losses_;
 };
 

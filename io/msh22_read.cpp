@@ -34,6 +34,7 @@ class ElementReader {
       if (each == 0) in_.fail(fmt::format("expected the nodes of an element of type {}", number_));
       add(tag, each);
     }
+    put_waiting();
   }
 
   // Headers (type, number of elements, number of tags), each with its elements (tag, tags, nodes).
@@ -54,6 +55,7 @@ class ElementReader {
       }
       left -= here;
     }
+    put_waiting();
   }
 
  private:
@@ -75,7 +77,6 @@ class ElementReader {
     last_tags_ = tags_read_;
     group_ = count > 0 ? tags_read_[0] : 0;
     entity_ = count > 1 ? tags_read_[1] : 0;
-    groups_ = group_ != 0 ? sets_({group_}) : 0;
     partitions_ = 0;
     if (count > 2 && !partition_counts_) partitions_ = sets_({tags_read_[2]});
     if (count > 3 && partition_counts_) {
@@ -84,58 +85,67 @@ class ElementReader {
     }
   }
 
+  // An element in several physical groups stands once for each of them: the last one again, but for its group
+  // and its tag. So an element waits until the next one has been read.
   void add(std::int64_t tag, int each) {
     nodes_.resize(each);
     for (Index& node : nodes_) node = index_(in_.integer("the tag of a node"));
-    if (repeats_last()) {
-      const ElementBlock last = document_.blocks.back();
-      std::vector<std::int64_t> groups = document_.tag_sets[last.groups];
-      groups.push_back(group_);
-      if (--document_.blocks.back().count == 0) document_.blocks.pop_back();
-      ++block_for(each, sets_(groups)).count;
+    if (repeats_waiting()) {
+      waiting_.groups.push_back(group_);
       return;
     }
-    ElementBlock& block = block_for(each, groups_);
-    tags_.add(block.first + block.count++, tag);
-    document_.connectivity.insert(document_.connectivity.end(), nodes_.begin(), nodes_.end());
+    put_waiting();
+    waiting_ = {.any = true,
+                .tag = tag,
+                .number = number_,
+                .type = type_,
+                .entity = entity_,
+                .partitions = partitions_,
+                .groups = std::move(waiting_.groups),
+                .nodes = std::move(waiting_.nodes)};
+    waiting_.groups.clear();
+    if (group_ != 0) waiting_.groups.push_back(group_);
+    waiting_.nodes.swap(nodes_);
   }
 
-  // An element in several physical groups stands once for each of them: the last one again, but for its group
-  // and its tag.
-  bool repeats_last() const {
-    if (document_.blocks.empty() || group_ == 0) return false;
-    const ElementBlock& last = document_.blocks.back();
-    if (!same_but_groups(last, static_cast<int>(nodes_.size())) ||
-        !std::equal(nodes_.begin(), nodes_.end(), document_.connectivity.end() - last.nodes_each))
-      return false;
-    const auto& groups = document_.tag_sets[last.groups];
-    return !groups.empty() && std::find(groups.begin(), groups.end(), group_) == groups.end();
+  bool repeats_waiting() const {
+    constexpr std::size_t most_groups = 1000;  // beyond which looking through them would take too long
+    return waiting_.any && waiting_.number == number_ && waiting_.entity == entity_ &&
+           waiting_.partitions == partitions_ && waiting_.nodes == nodes_ && group_ != 0 &&
+           !waiting_.groups.empty() && waiting_.groups.size() < most_groups &&
+           std::find(waiting_.groups.begin(), waiting_.groups.end(), group_) == waiting_.groups.end();
   }
 
-  bool same_but_groups(const ElementBlock& block, int each) const {
-    return block.type == number_ && block.nodes_each == each && block.entity == entity_ &&
-           block.partitions == partitions_;
+  void put_waiting() {
+    if (!waiting_.any) return;
+    waiting_.any = false;
+    const int each = static_cast<int>(waiting_.nodes.size());
+    const std::int32_t groups = sets_(waiting_.groups);
+    std::vector<ElementBlock>& blocks = document_.blocks;
+    if (blocks.empty() || blocks.back().type != waiting_.number || blocks.back().nodes_each != each ||
+        blocks.back().entity != waiting_.entity || blocks.back().partitions != waiting_.partitions ||
+        blocks.back().groups != groups)
+      blocks.push_back({.type = static_cast<int>(waiting_.number),
+                        .dim = waiting_.type ? waiting_.type->dim : 3,
+                        .entity = waiting_.entity,
+                        .groups = groups,
+                        .partitions = waiting_.partitions,
+                        .nodes_each = each,
+                        .first = document_.elements(),
+                        .nodes = document_.connectivity.size()});
+    tags_.add(blocks.back().first + blocks.back().count++, waiting_.tag);
+    document_.connectivity.insert(document_.connectivity.end(), waiting_.nodes.begin(), waiting_.nodes.end());
   }
 
-  // The last block if the next element belongs to it, or a new one.
-  ElementBlock& block_for(int each, std::int32_t groups) {
-    if (document_.blocks.empty() || !same_but_groups(document_.blocks.back(), each) ||
-        document_.blocks.back().groups != groups) {
-      ElementBlock block{.type = static_cast<int>(number_),
-                         .dim = type_ ? type_->dim : 3,
-                         .entity = entity_,
-                         .groups = groups,
-                         .partitions = partitions_,
-                         .nodes_each = each};
-      block.first = document_.elements();
-      block.nodes = document_.blocks.empty()
-                        ? 0
-                        : document_.blocks.back().nodes +
-                              document_.blocks.back().count * document_.blocks.back().nodes_each;
-      document_.blocks.push_back(block);
-    }
-    return document_.blocks.back();
-  }
+  struct Waiting {
+    bool any = false;
+    std::int64_t tag = 0, number = 0;
+    const ElementType* type = nullptr;
+    std::int64_t entity = 0;
+    std::int32_t partitions = 0;
+    std::vector<std::int64_t> groups{};
+    std::vector<Index> nodes{};
+  };
 
   Numbers& in_;
   const bool partition_counts_;
@@ -148,7 +158,8 @@ class ElementReader {
   std::vector<std::int64_t> tags_read_, last_tags_;
   std::vector<Index> nodes_;
   std::int64_t group_ = 0, entity_ = 0;
-  std::int32_t groups_ = 0, partitions_ = 0;
+  std::int32_t partitions_ = 0;
+  Waiting waiting_;
 };
 
 }  // namespace

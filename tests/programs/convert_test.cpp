@@ -107,5 +107,28 @@ TEST(Convert, Info) {
       << run;
 }
 
+TEST(Convert, TheSameBytesForAnyNumberOfThreads) {
+  const ScratchFolder folder;
+  std::string nodes = "60000 3\n", elements = "60000 4\n";
+  for (int i = 0; i < 60000; ++i) {
+    nodes += std::to_string(i) + " " + std::to_string(i % 7) + ".1 0." + std::to_string(i) + " 3e-5\n";
+    elements += std::to_string(i) + " " + std::to_string(i) + " 1 2 3\n";
+  }
+  folder.write("in.node", nodes);
+  folder.write("in.ele", elements);
+  for (const std::vector<std::string>& target : std::vector<std::vector<std::string>>{
+           {"out.msh"}, {"out.msh", "--binary"}, {"out.msh", "--to", "msh22"}, {"out.vtu"}, {"out.ele"}}) {
+    std::vector<std::string> bytes;
+    for (const char* threads : {"1", "2", "7"}) {
+      std::vector<std::string> command{program("tetproof-convert"), "in.node", "--threads", threads};
+      command.insert(command.end(), target.begin(), target.end());
+      ASSERT_EQ(run_program(command, {.directory = folder / ""}).exit_code, 0);
+      bytes.push_back(folder.read(target[0]));
+    }
+    EXPECT_GT(bytes[0].size(), std::size_t{1} << 20) << target.back();  // enough for several threads
+    EXPECT_TRUE(bytes[0] == bytes[1] && bytes[0] == bytes[2]) << target.back();
+  }
+}
+
 }  // namespace
 }  // namespace tetproof::test
