@@ -122,7 +122,7 @@ TEST(VoxelsExactly, WhereTheSurfaceFollowsTheVoxels) {
   ASSERT_EQ(any.voxel_size, 1);
   for (const double shift : {0.0, 0.5})
     for (const char* spec : {"groove:m=4,h=1", "octahedron:rx=2,ry=2,rz=2", "terrain:m=4,seed=5",
-                             "box:x1=4,y1=4,z1=4,n=3", "octahedron:rx=2,ry=1,rz=1.5"}) {
+                             "box:x1=4,y1=4,z1=4,n=3", "octahedron:rx=2,ry=1.5,rz=2"}) {
       TriangleSurface surface = corpus::make_surface(spec);
       for (Eigen::Vector3d& v : surface.vertices) v += any.origin + Eigen::Vector3d::Constant(shift);
       compare(surface, 4, spec);
