@@ -7,6 +7,7 @@ import json
 import os
 import platform
 import re
+import statistics
 import subprocess
 import sys
 
@@ -129,7 +130,7 @@ class Bench:
             for _ in range(self.runs):
                 measure([command], 1, self.cores)
                 runs.append(read_phases(file))
-            phases = {name: sorted(run.get(name, 0) for run in runs)[self.runs // 2] for name in runs[-1]}
+            phases = {name: statistics.median(run.get(name, 0) for run in runs) for name in runs[-1]}
             columns.append((json_tets(file), command.wall, phases))
             self.record.setdefault("growth", {})[command.name] = {**command.record(), "tetrahedra": columns[-1][0], "phases": runs}
         print("### Growth on the torus: microseconds a tetrahedron\n\n| phase | " + " | ".join(f"{tets:,} tetrahedra" for tets, _, _ in columns) +
@@ -161,11 +162,25 @@ class Bench:
         print(flush=True)
 
     def hot(self):
-        """Single functions, measured inside the process by bench_extract."""
-        command = self.command("bench_extract", os.path.join(self.build, "tests", "bench", "bench_extract"))
-        self.measure("hot", [command])
-        with open(command.log) as file:
-            print("### Hot functions\n\n" + file.read(), flush=True)
+        """Single phases on one thread, as rates."""
+        surfaces.write_all(self.path("torus"), *surfaces.torus(1, 0.4, 130, 100))
+        command = self.command("one thread", self.ours("tetproof-mesh"), "torus.off", "-o", "hot.msh", "--cells", TORUS_CELLS, "--points", "0",
+                               "--voxels", "0", "--timings", "--threads", 1, "--json", "hot.json")
+        runs = []
+        for _ in range(self.runs):
+            measure([command], 1, {min(self.cores)})
+            runs.append(read_phases(self.path("hot.json")))
+        made = read_json(self.path("hot.json"))
+        lattice, tets = made["generation"]["lattice"]["tets"], made["mesh"]["tets"]
+        self.record["hot"] = {**command.record(), "lattice tetrahedra": lattice, "tetrahedra": tets, "phases": runs}
+        print(f"### One thread: the torus, {lattice:,} lattice tetrahedra, {tets:,} tetrahedra\n\n"
+              "| phase | s | lattice tetrahedra a second | tetrahedra a second |\n|---|---|---|---|")
+        for name in runs[-1]:
+            seconds = statistics.median(run.get(name, 0) for run in runs)
+            of_lattice = f"{lattice / seconds:,.0f}" if name in ("indicators", "extraction") and seconds else ""
+            of_mesh = f"{tets / seconds:,.0f}" if seconds > 1e-3 else ""
+            print(f"| {name} | {seconds:.3f} | {of_lattice} | {of_mesh} |")
+        print(flush=True)
 
 
 def first_line(*words):
