@@ -150,7 +150,8 @@ class Bench:
             self.command("tetproof-verify", self.ours("tetproof-verify"), "skull.msh", "--threads", threads, "--json", "verify.json"),
             self.command("tetproof-verify, 1 thread", self.ours("tetproof-verify"), "skull.msh", "--threads", 1, "--json", "verify1.json"),
             self.command("tetproof-verify of .node/.ele", self.ours("tetproof-verify"), "checked.node", "--threads", threads),
-            self.command("tetgen -rC", "tetgen", "-rCNEF", "checked.node"),
+            self.command("tetgen -rC", "tetgen", "-rC", "checked.node"),
+            self.command("tetgen -rCNEF, which writes nothing", "tetgen", "-rCNEF", "checked.node"),
             self.command("gmsh -check", "gmsh", "-check", "-nt", threads, "skull.msh", accept=(0, 1)),
         ]
         self.measure("verify", commands)
