@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The set-up that every command of this project begins with: installs the packages of apt-packages.txt that are
 # missing, and builds a Release in build/. Where all is installed and built it takes a second or two.
-# usage: .ci/setup.sh [TARGET...]     TARGET: what to build, as CMake names it; default: everything
+# usage: .ci/setup.sh [--without-tests] [TARGET...]
+#   TARGET            what to build, as CMake names it; default: everything
+#   --without-tests   leaves out the packages that only tests and measurements need
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build
+tests=ON
+if [ "${1:-}" = --without-tests ]; then tests=OFF; shift; fi
 
 fail() { echo "set-up: $1" >&2; exit 1; }
 
@@ -16,7 +20,8 @@ logged() {
 }
 
 # --- packages
-mapfile -t wanted < <(sed 's/#.*//' apt-packages.txt | grep -oE '[^[:space:]]+')
+list=$(if [ $tests = ON ]; then cat apt-packages.txt; else sed '/^# --- only for tests/,$d' apt-packages.txt; fi)
+mapfile -t wanted < <(sed 's/#.*//' <<<"$list" | grep -oE '[^[:space:]]+')
 if ! command -v dpkg-query >/dev/null; then
   echo "set-up: not a Debian system: apt-packages.txt is taken as installed"
 else
@@ -44,7 +49,8 @@ fi
 
 # --- build
 [ -f build/build.ninja ] || echo "set-up: configuring a Release in build/"
-logged build/configure.log cmake --preset release
+if [ $tests = OFF ] && [ -f build/build.ninja ]; then choice=(); else choice=("-DBUILD_TESTING=$tests"); fi   # what is there stays
+logged build/configure.log cmake --preset release "${choice[@]}"
 # Some sources take a gigabyte of memory to compile: no more jobs than fit.
 jobs=$(nproc)
 fitting=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)

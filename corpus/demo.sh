@@ -4,7 +4,7 @@
 # usage: corpus/demo.sh [OPTION OF tetproof-mesh...]     for example: corpus/demo.sh --cells 96
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-.ci/setup.sh programs
+.ci/setup.sh --without-tests programs
 mkdir -p out
 echo
 echo "\$ build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh --cells 64 --json out/ct_skull.json $*"
