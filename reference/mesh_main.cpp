@@ -163,6 +163,8 @@ int mesh(const Arguments& a, const program::Common& common) {
   for (const std::string& note : judged.notes) program::say(common, a.surface + ": " + note);
 
   const reference::Generation made = generate(surface, options);
+  if (made.grid.mesh.tets.empty())
+    program::say(common, "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
 
   watch.enter("verification");
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();

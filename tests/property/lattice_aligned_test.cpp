@@ -98,4 +98,18 @@ TEST(LatticeAlignedVolume, GrooveIsEmptyUnlessLiteral) {
   EXPECT_GT(*verify::verify(literal.grid.mesh).mesh.volume, solid);
 }
 
+// Reading D4: lattice planes that rounding puts 1e-17 beside the faces make cuts next to vertices, and those inverted tetrahedra.
+TEST(Mending, LeavesNoTetrahedronInverted) {
+  for (const char* spec : {"box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4", "groove:m=4,width=1,depth=2", "terrain:m=4,seed=3"})
+    for (const Region region : {Region::inside, Region::outside}) {
+      const TriangleSurface surface = corpus::make_surface(spec);
+      const Generation literal = generate(surface, {.region = region, .cells = {12, 0, 0}, .box_scale = 1.5, .literal = true});
+      EXPECT_GT(literal.not_positive, 0) << spec;
+      const Generation mended = generate(surface, {.region = region, .cells = {12, 0, 0}, .box_scale = 1.5, .on_surface = 0});
+      EXPECT_GT(mended.mended, 0) << spec;
+      EXPECT_EQ(mended.not_positive, 0) << spec;
+      EXPECT_EQ(verify::verify(mended.grid.mesh).certificate, std::optional<bool>(true)) << spec;
+    }
+}
+
 }  // namespace
