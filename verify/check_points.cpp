@@ -145,7 +145,7 @@ void check_numbers_and_points(Judgement& j) {
         count, [groups = std::move(groups)](std::size_t i) { return Finding{.vertices = groups[i]}; },
         [&mesh](std::size_t, Finding& finding) {
           finding.point = mesh.points[finding.vertices[0]];
-          finding.what = fmt::format("{} points at {}", finding.vertices.size(), place(*finding.point));
+          finding.what = fmt::format("{} points with the same coordinates", finding.vertices.size());
         }};
   }
   if (j.wants(Check::unused_point)) {

@@ -58,8 +58,12 @@ std::string counted(std::int64_t n, const char* one, const char* many) {
 
 std::string shape_text(const Shape& shape) {
   if (!shape.components) return "components, cavities and genus undefined: the boundary is not closed";
-  return fmt::format("{}, {} of them {}, genus {}", counted(*shape.components, "component", "components"),
-                     *shape.cavities, *shape.cavities == 1 ? "a cavity" : "cavities", *shape.genus);
+  const std::string cavities = *shape.cavities == 0 ? ""
+                               : *shape.cavities == 1
+                                   ? " (one of them a cavity)"
+                                   : fmt::format(" ({} of them cavities)", *shape.cavities);
+  return fmt::format("{}{}, genus {}", counted(*shape.components, "component", "components"), cavities,
+                     *shape.genus);
 }
 
 }  // namespace

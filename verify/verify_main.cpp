@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "corpus/surfaces.hpp"
+#include "io/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
@@ -81,6 +82,7 @@ int work(const Arguments& given, const program::Common& common) {
   // Measuring costs half as much as the proof; who wants the numbers reads the JSON.
   arguments.options.quality = !common.json.empty();
 
+  if (!arguments.defects.empty()) check_creatable(arguments.defects);
   const auto start = std::chrono::steady_clock::now();
   const Loaded loaded = load(arguments.mesh);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -90,8 +92,7 @@ int work(const Arguments& given, const program::Common& common) {
   if (!arguments.defects.empty())
     verify::write_defects(arguments.defects, loaded.mesh, loaded.numbering, report);
   if (!common.json.empty()) program::write_text(common.json, verify::report_json(report, loaded.numbering));
-  // With JSON on standard output, or --quiet, the exit code is the text.
-  if (common.json != "-" && !common.quiet)
+  if (common.json != "-")
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
   return verify::sound(report) ? program::sound : program::wrong;
 }

@@ -205,10 +205,12 @@ TEST(Surface, CleanFilesAreWhatTheirManifestSays) {
     EXPECT_EQ(report.triangles, row["triangles"]);
     EXPECT_EQ(report.vertices, row["vertices_merged"]);
     EXPECT_EQ(static_cast<int>(report.components.size()), row["components"]);
-    EXPECT_EQ(report.cavities(), row["nested_components"]);
+    EXPECT_EQ(report.cavities(), row.value("nested_components", 0));
     EXPECT_EQ(report.genus, row["genus"]);
     EXPECT_NEAR(report.volume, row["volume"].get<double>(), 2e-9 * report.volume);
-    EXPECT_NEAR(report.area, row["area"].get<double>(), 1e-5 * report.area);
+    if (row.contains("area")) {
+      EXPECT_NEAR(report.area, row["area"].get<double>(), 1e-5 * report.area);
+    }
     EXPECT_TRUE(report.notes.empty());
     std::vector<std::int64_t> genus;
     for (const auto& component : report.components) genus.push_back(component.genus);

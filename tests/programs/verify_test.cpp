@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// tetproof-verify as users run it: what it prints, its exit codes, the JSON's keys and values.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/programs/run_program.hpp"
+
+namespace tetproof::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// A cube of side 2 around the origin, cut into six tetrahedra around its diagonal from node 1 to node 8.
+constexpr const char* cube_node =
+    "8 3 0 0\n1 -1 -1 -1\n2 1 -1 -1\n3 -1 1 -1\n4 1 1 -1\n5 -1 -1 1\n6 1 -1 1\n7 -1 1 1\n8 1 1 1\n";
+constexpr const char* cube_ele = "6 4 0\n1 1 2 4 8\n2 1 4 3 8\n3 1 3 7 8\n4 1 7 5 8\n5 1 5 6 8\n6 1 6 2 8\n";
+// The second tetrahedron wound the other way, the fourth twice, and a seventh with a node that does not
+// exist.
+constexpr const char* bad_ele =
+    "8 4 0\n1 1 2 4 8\n2 1 3 4 8\n3 1 3 7 8\n4 1 7 5 8\n5 1 5 6 8\n6 1 6 2 8\n7 1 7 5 8\n8 1 2 4 99\n";
+constexpr const char* cube_off =
+    "OFF\n8 12 0\n-1 -1 -1\n1 -1 -1\n-1 1 -1\n1 1 -1\n-1 -1 1\n1 -1 1\n-1 1 1\n1 1 1\n"
+    "3 0 3 1\n3 0 2 3\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 7 3\n3 2 6 7\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 "
+    "7 5\n";
+
+class Verify : public ::testing::Test {
+ protected:
+  Verify() {
+    files.write("cube.node", cube_node);
+    files.write("cube.ele", cube_ele);
+    files.write("bad.node", cube_node);
+    files.write("bad.ele", bad_ele);
+    files.write("cube.off", cube_off);
+  }
+  Outcome run(std::vector<std::string> arguments) const {
+    for (std::string& word : arguments)
+      if (std::filesystem::exists(files / word)) word = files / word;
+    arguments.insert(arguments.begin(), program("tetproof-verify"));
+    return run_program(arguments);
+  }
+  json report(std::vector<std::string> arguments, int exit_code) const {
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome;
+    EXPECT_EQ(outcome.err, "");
+    return json::parse(outcome.out);
+  }
+  static json check(const json& report, const std::string& id) {
+    for (const json& entry : report["checks"])
+      if (entry["id"] == id) return entry;
+    return {};
+  }
+
+  ScratchFolder files;
+};
+
+TEST_F(Verify, ASoundMesh) {
+  const Outcome outcome = run({"cube.node"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("sound: certified"));
+  const json sound = report({"cube.ele"}, 0);
+  EXPECT_EQ(sound["verdict"], "sound");
+  EXPECT_EQ(sound["certificate"], true);
+  EXPECT_EQ(sound["mesh"]["tets"], 6);
+  EXPECT_EQ(sound["mesh"]["boundary_faces"], 12);
+  EXPECT_EQ(sound["mesh"]["volume"], 8.0);
+  EXPECT_EQ(sound["quality"]["tets"], 6);
+  EXPECT_FALSE(sound.contains("seconds"));
+}
+
+TEST_F(Verify, ADefectiveMesh) {
+  const Outcome outcome = run({"bad.node", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("DEFECTIVE"));
+  const json bad = report({"bad.node"}, 1);
+  EXPECT_EQ(bad["verdict"], "defective");
+  EXPECT_EQ(bad["certificate"], false);
+  EXPECT_EQ(check(bad, "index-range")["count"], 1);
+  EXPECT_EQ(check(bad, "index-range")["findings"][0]["tets"], json({8}));
+  EXPECT_EQ(check(bad, "index-range")["findings"][0]["vertices"], json({99}));
+  EXPECT_EQ(check(bad, "inverted")["findings"][0]["tets"], json({2}));
+  EXPECT_EQ(check(bad, "duplicate-tet")["findings"][0]["tets"], json({4, 7}));
+  EXPECT_EQ(check(bad, "duplicate-tet")["verdict"], "fail");
+  EXPECT_EQ(check(bad, "face-shared-thrice")["count"], 0);
+  EXPECT_GT(check(bad, "face-shared-thrice")["consequences"], 0);
+}
+
+TEST_F(Verify, AgainstASurface) {
+  const json exact = report({"cube.node", "cube.off", "--fidelity", "0", "--voxels", "16"}, 0);
+  EXPECT_EQ(exact["volume"]["mesh"], 8.0);
+  EXPECT_EQ(exact["volume"]["surface"], 8.0);
+  EXPECT_EQ(exact["volume"]["relative_difference"], 0.0);
+  EXPECT_GT(exact["volume"]["voxel_error_bound"], 0.0);
+  EXPECT_NEAR(exact["volume"]["voxel_inside"], 8, exact["volume"]["voxel_error_bound"]);
+  EXPECT_EQ(exact["surface"]["triangles"], 12);
+  EXPECT_EQ(check(exact, "volume-surface")["verdict"], "pass");
+  EXPECT_EQ(check(exact, "topology")["verdict"], "pass");
+
+  // Generated surfaces too; the cube is no ball.
+  const json ball = report({"cube.node", "sphere:r=1,n=500", "--voxels", "0"}, 1);
+  EXPECT_EQ(check(ball, "volume-surface")["verdict"], "fail");
+  EXPECT_EQ(check(ball, "volume-voxel")["verdict"], "skipped");
+  EXPECT_EQ(ball["certificate"], true);
+  EXPECT_EQ(report({"cube.node", "sphere:r=1,n=500", "--region", "none"}, 0)["verdict"], "sound");
+}
+
+TEST_F(Verify, ChecksAreChosenById) {
+  const json some = report({"bad.node", "--check", "duplicate-point,unused-point"}, 0);
+  EXPECT_EQ(some["certificate"], nullptr);
+  EXPECT_EQ(check(some, "inverted")["verdict"], "skipped");
+  EXPECT_EQ(check(report({"bad.node", "--skip", "inverted"}, 1), "inverted")["verdict"], "skipped");
+  const Outcome list = run({"--list-checks"});
+  EXPECT_EQ(list.exit_code, 0);
+  for (const char* id : {"index-range", "overlap", "volume-voxel"})
+    EXPECT_THAT(list.out, HasSubstr(std::string(id) + "\n"));
+}
+
+TEST_F(Verify, BadInputIsOneLine) {
+  const std::string closed = cube_off;  // less its last triangle
+  files.write("open.off", "OFF\n8 11 0\n" + closed.substr(11, closed.rfind("3 1 7 5") - 11));
+  files.write("points.node", "0 3 0 0\n");
+  files.write("points.ele", "0 4 0\n");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"cube.node", "open.off"}, "open.off"},
+      {{"cube.node", "missing.off"}, "missing.off"},
+      {{"cube.node", "--region", "inside"}, "--region inside needs a SURFACE"},
+      {{"cube.node", "--check", "no-such"}, "unknown check 'no-such'"},
+      {{"cube.node", "cube.off", "--fidelity", "-1"}, "--fidelity"},
+      {{"points.node"}, "points.node"},
+      {{}, "MESH is required"},
+  };
+  for (const auto& [arguments, what] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines(outcome.err), 1u) << outcome;
+    EXPECT_THAT(outcome.err, StartsWith("tetproof-verify: "));
+    EXPECT_THAT(outcome.err, HasSubstr(what));
+  }
+  EXPECT_THAT(run({"cube.node", "open.off"}).err, HasSubstr("the surface is open: "));
+}
+
+TEST_F(Verify, DefectsForAViewer) {
+  const Outcome outcome = run({"bad.node", "--defects", files / "defects.vtu"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome;
+  const std::string vtu = files.read("defects.vtu");
+  for (const char* name : {"Name=\"inverted\"", "Name=\"duplicate-tet\"", "Name=\"number\""})
+    EXPECT_THAT(vtu, HasSubstr(name));
+}
+
+TEST_F(Verify, OthersMeshesAsWritten) {
+  const std::filesystem::path samples = std::filesystem::path(TETPROOF_SOURCE_DIR) / "../shared/formats";
+  if (!std::filesystem::exists(samples)) GTEST_SKIP() << samples << " is not there";
+  for (const char* file :
+       {"tetgen150_out/example.1.node", "tetgen150_out/cube_attr.1.node", "gmsh484_out/two41.msh"}) {
+    const json sound = report({(samples / file).string()}, 0);
+    EXPECT_EQ(sound["certificate"], true) << file;
+  }
+}
+
+}  // namespace
+}  // namespace tetproof::test
