@@ -49,7 +49,7 @@ class Records {
 
   std::int64_t integer(const char* expected) {
     if (!more()) fail_missing(expected);
-    std::int64_t value = 0;
+    std::uint64_t value = 0;  // wraps round harmlessly where there are too many digits
     const char* c = at_;
     for (unsigned digit; c < end_ && (digit = static_cast<unsigned char>(*c) - '0') < 10; ++c)
       value = 10 * value + digit;
@@ -57,7 +57,7 @@ class Records {
         c > at_ && c - at_ <= 18 && (*at_ != '0' || c == at_ + 1) && (c == end_ || ends_word(*c));
     if (!plain) return unusual_integer(expected);
     at_ = c;
-    return value;
+    return static_cast<std::int64_t>(value);
   }
 
   double real(const char* expected) {
