@@ -36,9 +36,11 @@ bool line_meets_triangle(const Triangle& t, const Vector3d& a, const Vector3d& b
   return s0 * s2 >= 0 && s1 * s2 >= 0;
 }
 
-void touch_cell(const Lattice& lattice, const Triangle& t, Index number, const std::array<int, 3>& cell, Contacts& contacts) {
+void touch_cell(const Lattice& lattice, const Triangle& t, Index number, const std::array<int, 3>& cell,
+                Contacts& contacts) {
   const auto [i, j, k] = cell;
-  const int there = (i < lattice.cells[0] ? 1 : 0) | (j < lattice.cells[1] ? 2 : 0) | (k < lattice.cells[2] ? 4 : 0);
+  const int there =
+      (i < lattice.cells[0] ? 1 : 0) | (j < lattice.cells[1] ? 2 : 0) | (k < lattice.cells[2] ? 4 : 0);
   const Vertex base = lattice.vertex(i, j, k);
   const Vector3d origin = lattice.point(i, j, k);
   const int side = orientation(t[0], t[1], t[2], origin);
@@ -80,9 +82,12 @@ Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
   };
   consider(closest_on_segment(a, c, p));
   consider(closest_on_segment(b, c, p));
-  // The foot of the perpendicular, where it falls inside. The edges above are a close second where rounding sees it wrongly.
+  // The foot of the perpendicular, where it falls inside. The edges above are a close second where rounding
+  // sees it wrongly.
   const Vector3d normal = (b - a).cross(c - a);
-  const auto inside = [&](const Vector3d& u, const Vector3d& v) { return normal.dot((v - u).cross(p - u)) >= 0; };
+  const auto inside = [&](const Vector3d& u, const Vector3d& v) {
+    return normal.dot((v - u).cross(p - u)) >= 0;
+  };
   if (normal.squaredNorm() > 0 && inside(a, b) && inside(b, c) && inside(c, a))
     consider(p - normal * (normal.dot(p - a) / normal.squaredNorm()));
   return best;
@@ -90,8 +95,8 @@ Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
 
 Contacts find_contacts(const Lattice& lattice, const TriangleSurface& surface) {
   const double margin = clipping_error(lattice);
-  const auto slices =
-      over_triangles<Contacts>(surface.triangles.size(), [&](std::size_t first, std::size_t last, Contacts& found) {
+  const auto slices = over_triangles<Contacts>(
+      surface.triangles.size(), [&](std::size_t first, std::size_t last, Contacts& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
@@ -112,14 +117,15 @@ Contacts find_contacts(const Lattice& lattice, const TriangleSurface& surface) {
   return all;
 }
 
-std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const TriangleSurface& surface, double radius,
-                                           const std::function<bool(Vertex)>& wanted) {
+std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const TriangleSurface& surface,
+                                           double radius, const std::function<bool(Vertex)>& wanted) {
   const double margin = radius + clipping_error(lattice);
   const auto slices = over_triangles<std::vector<NearVertex>>(
       surface.triangles.size(), [&](std::size_t first, std::size_t last, std::vector<NearVertex>& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
-          // A vertex within the margin is a corner of a cell that is; every vertex is the first corner of its own cell.
+          // A vertex within the margin is a corner of a cell that is; every vertex is the first corner of its
+          // own cell.
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
             const Vertex v = lattice.vertex(i, j, k);
             if (!wanted(v)) return;
@@ -138,7 +144,8 @@ std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const Triangl
     if (a.squared_distance != b.squared_distance) return a.squared_distance < b.squared_distance;
     return lexicographically_less(a.point, b.point);
   });
-  all.erase(std::unique(all.begin(), all.end(), [](const NearVertex& a, const NearVertex& b) { return a.vertex == b.vertex; }),
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const NearVertex& a, const NearVertex& b) { return a.vertex == b.vertex; }),
             all.end());
   return all;
 }

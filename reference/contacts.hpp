@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (ii), first half: which lattice vertices lie on the surface, or near it, and which triangles meet which lattice edges.
-// The surface is rasterised into the lattice: every triangle visits the cells it touches.
+// Step (ii), first half: which lattice vertices lie on the surface, or near it, and which triangles meet
+// which lattice edges. The surface is rasterised into the lattice: every triangle visits the cells it
+// touches.
 #pragma once
 
 #include <functional>
@@ -10,8 +11,8 @@
 
 namespace tetproof::reference {
 
-/// A triangle and a lattice edge whose ends lie strictly on different sides of it and that meet (exact); or, `along` set, a triangle whose plane
-/// holds the edge, so that they may overlap.
+/// A triangle and a lattice edge whose ends lie strictly on different sides of it and that meet (exact); or,
+/// `along` set, a triangle whose plane holds the edge, so that they may overlap.
 struct EdgeHit {
   Edge edge;
   Index triangle;
@@ -26,7 +27,8 @@ struct Contacts {
 /// All contacts, exact for the doubles as stored (reading D4). Linear in triangles + cells they touch.
 Contacts find_contacts(const Lattice& lattice, const TriangleSurface& surface);
 
-/// A lattice vertex with the closest point of the surface; of several, the lexicographically smallest. A vertex exactly on the surface is its own.
+/// A lattice vertex with the closest point of the surface; of several, the lexicographically smallest. A
+/// vertex exactly on the surface is its own.
 struct NearVertex {
   Vertex vertex;
   double squared_distance;  ///< relative error below 1e-14 plus (1e-15 times the largest coordinate)^2
@@ -34,8 +36,8 @@ struct NearVertex {
 };
 
 /// Every vertex that `wanted` and the surface comes closer to than `radius` [length], ascending.
-std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const TriangleSurface& surface, double radius,
-                                           const std::function<bool(Vertex)>& wanted);
+std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const TriangleSurface& surface,
+                                           double radius, const std::function<bool(Vertex)>& wanted);
 
 /// The closest point of a triangle to `p`, in double precision; the same for any order of the corners.
 Eigen::Vector3d closest_point(std::array<Eigen::Vector3d, 3> triangle, const Eigen::Vector3d& p);

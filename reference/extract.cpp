@@ -24,8 +24,8 @@ constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5"), case_14 = 
 
 constexpr std::uint8_t used = 1, surface_point = 2;
 
-// The tetrahedra of one layer of cells. Points are named by lattice vertex, then by number of lattice vertices + number of the cut; a centroid by
-// -1 - its number in the layer.
+// The tetrahedra of one layer of cells. Points are named by lattice vertex, then by number of lattice
+// vertices + number of the cut; a centroid by -1 - its number in the layer.
 struct Layer {
   std::vector<std::array<Index, 4>> tets;
   std::vector<std::uint32_t> lattice_tet;
@@ -37,9 +37,13 @@ struct Layer {
 
 class Extraction {
  public:
-  Extraction(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled, Diagonals diagonals,
-             const std::function<bool(const Vector3d&)>& keep_case_5)
-      : lattice_(lattice), indicators_(indicators), settled_(settled), diagonals_(diagonals), keep_case_5_(keep_case_5),
+  Extraction(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled,
+             Diagonals diagonals, const std::function<bool(const Vector3d&)>& keep_case_5)
+      : lattice_(lattice),
+        indicators_(indicators),
+        settled_(settled),
+        diagonals_(diagonals),
+        keep_case_5_(keep_case_5),
         marks_(lattice.vertices() + indicators.cuts.points.size(), 0) {
     for (int bits = 0; bits < 8; ++bits) offsets_[bits] = lattice.offset(bits);
   }
@@ -80,7 +84,8 @@ class Extraction {
 
   void cut_tet(Vertex base, std::uint32_t number, const std::array<std::int8_t, 8>& sign, Layer& layer) {
     const std::array<int, 4>& corners = kuhn_tets[number % 6];
-    const SortedVertices sorted = sort_vertices({sign[corners[0]], sign[corners[1]], sign[corners[2]], sign[corners[3]]});
+    const SortedVertices sorted =
+        sort_vertices({sign[corners[0]], sign[corners[1]], sign[corners[2]], sign[corners[3]]});
     int row = sorted.first_row;
     if (table2[row].size == 0) {
       ++layer.rows[row];
@@ -88,7 +93,9 @@ class Extraction {
     }
     LatticeTet tet{base, &corners, sorted, {}};
     for (int v = 0; v < 4; ++v) tet.name[v] = base + offsets_[corners[sorted.order[v]]];
-    if (row == case_5 && !keep_case_5_(0.25 * (place(tet.name[0]) + place(tet.name[1]) + place(tet.name[2]) + place(tet.name[3])))) return;
+    if (row == case_5 && !keep_case_5_(0.25 * (place(tet.name[0]) + place(tet.name[1]) + place(tet.name[2]) +
+                                               place(tet.name[3]))))
+      return;
     for (int p = 0; p < 6; ++p)
       if (table1_possible(row, p)) tet.name[p12 + p] = cut(tet, p);
     row = choose_row(row, diagonals(tet));
@@ -131,7 +138,8 @@ class Extraction {
     return possible[row][p];
   }
 
-  // The name of the cut on one of the tetrahedron's edges: a point of its own, or the end that was 0 before Table 3 (reading D7).
+  // The name of the cut on one of the tetrahedron's edges: a point of its own, or the end that was 0 before
+  // Table 3 (reading D7).
   Index cut(const LatticeTet& tet, int p) {
     static constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
     const auto [i, e] = ends[p];  // v_i is inside, v_e outside
@@ -146,7 +154,8 @@ class Extraction {
         return name;
       }
       if (indicators_.initial[interior] != 0)
-        throw std::logic_error("a lattice edge between outside and inside has no intersection with the surface");
+        throw std::logic_error(
+            "a lattice edge between outside and inside has no intersection with the surface");
       end = interior;
     }
     mark(end, surface_point);
@@ -165,21 +174,24 @@ class Extraction {
     }
     return from_the_first;
   }
-  // v1 .. v3 ascend in number where their indicators tie, so the lower-numbered end of each diagonal is its quadrilateral's first.
+  // v1 .. v3 ascend in number where their indicators tie, so the lower-numbered end of each diagonal is its
+  // quadrilateral's first.
   static unsigned choose_lowest(int first_row) { return (1u << shared_quads(first_row).size) - 1; }
 
   Vector3d place(Index name) const {
     if (name >= lattice_.vertices()) return indicators_.cuts.points[name - lattice_.vertices()];
     if (indicators_.sign[name] == 0) {
       const auto at = std::lower_bound(settled_.vertices.begin(), settled_.vertices.end(), name);
-      if (at != settled_.vertices.end() && *at == name) return settled_.points[at - settled_.vertices.begin()];
+      if (at != settled_.vertices.end() && *at == name)
+        return settled_.points[at - settled_.vertices.begin()];
     }
     return lattice_.point(name);
   }
 
   void mark(Index name, std::uint8_t what) {
     std::atomic_ref<std::uint8_t> there(marks_[name]);
-    if ((there.load(std::memory_order_relaxed) & what) != what) there.fetch_or(what, std::memory_order_relaxed);
+    if ((there.load(std::memory_order_relaxed) & what) != what)
+      there.fetch_or(what, std::memory_order_relaxed);
   }
 
   Grid assemble(std::vector<Layer>& layers) {
@@ -195,7 +207,8 @@ class Extraction {
       if (!(marks_[name] & used)) continue;
       number[name] = static_cast<Index>(grid.mesh.points.size());
       if (name < lattice_.vertices())
-        add_point(place(name), Origin::lattice_vertex, name, indicators_.sign[name] == 0 || (marks_[name] & surface_point));
+        add_point(place(name), Origin::lattice_vertex, name,
+                  indicators_.sign[name] == 0 || (marks_[name] & surface_point));
       else
         add_point(place(name), Origin::cut, name - lattice_.vertices(), true);
     }
@@ -206,7 +219,8 @@ class Extraction {
       first_tet.push_back(tets);
       first_centroid.push_back(static_cast<Index>(grid.mesh.points.size()));
       tets += layer.tets.size();
-      for (std::size_t q = 0; q < layer.centroids.size(); ++q) add_point(layer.centroids[q], Origin::centroid, layer.centroid_of[q], false);
+      for (std::size_t q = 0; q < layer.centroids.size(); ++q)
+        add_point(layer.centroids[q], Origin::centroid, layer.centroid_of[q], false);
       for (std::size_t r = 0; r < grid.rows.size(); ++r) grid.rows[r] += layer.rows[r];
       grid.collapsed += layer.collapsed;
     }
@@ -235,8 +249,8 @@ class Extraction {
 
 }  // namespace
 
-Grid extract(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled, Diagonals diagonals,
-             const std::function<bool(const Vector3d&)>& keep_case_5) {
+Grid extract(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled,
+             Diagonals diagonals, const std::function<bool(const Vector3d&)>& keep_case_5) {
   return Extraction(lattice, indicators, settled, diagonals, keep_case_5).run();
 }
 

@@ -21,7 +21,9 @@ namespace {
 
 void check(const Options& options) {
   if (!(options.on_surface >= 0 && options.on_surface <= 0.15))
-    throw InputError(fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}", options.on_surface));
+    throw InputError(
+        fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}",
+                    options.on_surface));
 }
 
 }  // namespace
@@ -40,7 +42,8 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
   const Contacts contacts = find_contacts(lattice, surface);
   SurfaceVertices settled;  // for good, reading D4
   if (tolerance > 0)
-    settled.add(find_near_vertices(lattice, surface, tolerance * lattice.shortest_edge, [](Vertex) { return true; }));
+    settled.add(
+        find_near_vertices(lattice, surface, tolerance * lattice.shortest_edge, [](Vertex) { return true; }));
   const std::vector<std::int8_t> inside = inside_by_parity(lattice, surface);
 
   Generation result;
@@ -55,23 +58,29 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
 
   for (;;) {
     phase("intersections");
-    const auto edge_counts = [&](Edge e) { return !settled.contains(lattice.low(e)) && !settled.contains(lattice.high(e)); };
-    const std::vector<EdgeIntersections> intersections = intersect_edges(lattice, surface, contacts, edge_counts);  // (ii)
+    const auto edge_counts = [&](Edge e) {
+      return !settled.contains(lattice.low(e)) && !settled.contains(lattice.high(e));
+    };
+    const std::vector<EdgeIntersections> intersections =
+        intersect_edges(lattice, surface, contacts, edge_counts);  // (ii)
 
     phase("indicators");
     const Indicators indicators =
-        characterize(lattice, initial_indicators(inside, contacts.on_surface, settled, options.region), intersections, settled);  // (iii), Table 3
+        characterize(lattice, initial_indicators(inside, contacts.on_surface, settled, options.region),
+                     intersections, settled);  // (iii), Table 3
     result.table3 = indicators.table3;
     result.dropped_intersections = indicators.dropped;
 
     phase("extraction");
-    result.grid = extract(lattice, indicators, settled, options.diagonals, keep_case_5);  // (iv), Tables 1 and 2
+    result.grid =
+        extract(lattice, indicators, settled, options.diagonals, keep_case_5);  // (iv), Tables 1 and 2
 
     phase("positivity");
     const std::vector<Index> bad = not_positive(result.grid.mesh);
     result.not_positive = static_cast<std::int64_t>(bad.size());
     if (bad.empty() || options.literal) break;
-    const std::vector<NearVertex> mended = vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
+    const std::vector<NearVertex> mended =
+        vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
     if (mended.empty()) break;  // nothing is cut beside it: the verdict will name it
     result.mended += static_cast<std::int64_t>(mended.size());
     settled.add(mended);

@@ -9,7 +9,9 @@ namespace tetproof::reference {
 
 using namespace tables;
 
-bool SurfaceVertices::contains(Vertex v) const { return std::binary_search(vertices.begin(), vertices.end(), v); }
+bool SurfaceVertices::contains(Vertex v) const {
+  return std::binary_search(vertices.begin(), vertices.end(), v);
+}
 
 void SurfaceVertices::add(const std::vector<NearVertex>& more) {
   SurfaceVertices merged;
@@ -27,7 +29,8 @@ void SurfaceVertices::add(const std::vector<NearVertex>& more) {
   *this = std::move(merged);
 }
 
-std::vector<std::int8_t> initial_indicators(std::vector<std::int8_t> inside, const std::vector<Vertex>& on_surface,
+std::vector<std::int8_t> initial_indicators(std::vector<std::int8_t> inside,
+                                            const std::vector<Vertex>& on_surface,
                                             const SurfaceVertices& settled, Region region) {
   if (region == Region::outside)
     for (std::int8_t& indicator : inside) indicator = static_cast<std::int8_t>(-indicator);
@@ -38,10 +41,10 @@ std::vector<std::int8_t> initial_indicators(std::vector<std::int8_t> inside, con
 
 namespace {
 
-// What Table 3 asks of the vertices that are 0: the requests are collected first and then applied at once; one asked for both signs
-// becomes exterior (reading D6).
-void apply_table3(const Lattice& lattice, const std::vector<EdgeIntersections>& intersections, const SurfaceVertices& settled,
-                  Indicators& indicators) {
+// What Table 3 asks of the vertices that are 0: the requests are collected first and then applied at once;
+// one asked for both signs becomes exterior (reading D6).
+void apply_table3(const Lattice& lattice, const std::vector<EdgeIntersections>& intersections,
+                  const SurfaceVertices& settled, Indicators& indicators) {
   const auto& initial = indicators.initial;
   std::vector<std::pair<Vertex, int>> requests;
   for (const EdgeIntersections& met : intersections) {
@@ -58,13 +61,14 @@ void apply_table3(const Lattice& lattice, const std::vector<EdgeIntersections>& 
   }
   std::sort(requests.begin(), requests.end());  // for each vertex -1 before +1
   for (std::size_t q = 0; q < requests.size(); ++q)
-    if (q == 0 || requests[q].first != requests[q - 1].first) indicators.sign[requests[q].first] = static_cast<std::int8_t>(requests[q].second);
+    if (q == 0 || requests[q].first != requests[q - 1].first)
+      indicators.sign[requests[q].first] = static_cast<std::int8_t>(requests[q].second);
 }
 
 }  // namespace
 
-Indicators characterize(const Lattice& lattice, std::vector<std::int8_t> initial, const std::vector<EdgeIntersections>& intersections,
-                        const SurfaceVertices& settled) {
+Indicators characterize(const Lattice& lattice, std::vector<std::int8_t> initial,
+                        const std::vector<EdgeIntersections>& intersections, const SurfaceVertices& settled) {
   Indicators indicators;
   indicators.initial = std::move(initial);
   indicators.sign = indicators.initial;
@@ -76,7 +80,8 @@ Indicators characterize(const Lattice& lattice, std::vector<std::int8_t> initial
     const Vertex low = lattice.low(met.edge), high = lattice.high(met.edge);
     if (indicators.sign[low] * indicators.sign[high] >= 0) continue;
     const bool low_is_exterior = indicators.sign[low] < 0;
-    if (indicators.initial[low_is_exterior ? low : high] == 0) continue;  // the exterior end itself is the cut (reading D7)
+    if (indicators.initial[low_is_exterior ? low : high] == 0)
+      continue;  // the exterior end itself is the cut (reading D7)
     cuts.directions[low] |= static_cast<std::uint8_t>(1 << (met.edge & 7));
     cuts.points.push_back(low_is_exterior ? met.nearest_low : met.nearest_high);
     cuts.edges.push_back(met.edge);

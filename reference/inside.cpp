@@ -14,10 +14,14 @@
 namespace tetproof::reference {
 namespace {
 
-// Sign of the projection of the triangle along x: +1 when it runs anticlockwise in (y, z), so that its normal points to +x.
-int facing(const Triangle& t) { return orientation(t[0].y(), t[0].z(), t[1].y(), t[1].z(), t[2].y(), t[2].z()); }
+// Sign of the projection of the triangle along x: +1 when it runs anticlockwise in (y, z), so that its normal
+// points to +x.
+int facing(const Triangle& t) {
+  return orientation(t[0].y(), t[0].z(), t[1].y(), t[1].z(), t[2].y(), t[2].z());
+}
 
-// Is (y + epsilon, z + epsilon^2) inside the projected triangle, which runs anticlockwise when `facing` is +1?
+// Is (y + epsilon, z + epsilon^2) inside the projected triangle, which runs anticlockwise when `facing` is
+// +1?
 bool projection_holds(const Triangle& t, int facing, double y, double z) {
   for (int c = 0; c < 3; ++c) {
     const Eigen::Vector3d &a = t[c], &b = t[(c + 1) % 3];
@@ -33,7 +37,9 @@ int first_beyond(const Lattice& lattice, const Triangle& t, int facing, int j, i
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double y = lattice.planes[1][j] - t[0].y(), z = lattice.planes[2][k] - t[0].z();
   const double guess = t[0].x() - (normal.y() * y + normal.z() * z) / normal.x();
-  const auto beyond = [&](int i) { return facing * orientation(t[0], t[1], t[2], lattice.point(i, j, k)) >= 0; };
+  const auto beyond = [&](int i) {
+    return facing * orientation(t[0], t[1], t[2], lattice.point(i, j, k)) >= 0;
+  };
   // The guess is off where the triangle is steep; the triangle itself is not, and lies inside the lattice.
   const auto [lo, hi] = ClippedTriangle{{t[0], t[1], t[2]}, 3}.extent(0);
   int i = lattice.cell_of(0, guess > lo ? (guess < hi ? guess : hi) : lo);
@@ -45,7 +51,8 @@ int first_beyond(const Lattice& lattice, const Triangle& t, int facing, int j, i
 }  // namespace
 
 std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const TriangleSurface& surface) {
-  // First a 1 where the surface is crossed between a vertex and the one before it, an odd number of times; then the running parity.
+  // First a 1 where the surface is crossed between a vertex and the one before it, an odd number of times;
+  // then the running parity.
   std::vector<std::int8_t> parity(lattice.vertices(), 0);
   const double margin = clipping_error(lattice);
   tbb::parallel_for(std::size_t{0}, surface.triangles.size(), [&](std::size_t n) {
@@ -54,7 +61,8 @@ std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const Triangle
     if (side == 0) return;  // seen edge-on it is never crossed by the moved line
     for_each_x_line(lattice, t, margin, [&](int j, int k) {
       if (!projection_holds(t, side, lattice.planes[1][j], lattice.planes[2][k])) return;
-      std::atomic_ref(parity[lattice.vertex(first_beyond(lattice, t, side, j, k), j, k)]).fetch_xor(1, std::memory_order_relaxed);
+      std::atomic_ref(parity[lattice.vertex(first_beyond(lattice, t, side, j, k), j, k)])
+          .fetch_xor(1, std::memory_order_relaxed);
     });
   });
   const int row = lattice.cells[0] + 1;
@@ -69,7 +77,8 @@ std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const Triangle
   return parity;
 }
 
-InsideTest::InsideTest(const Lattice& lattice, const TriangleSurface& surface) : lattice_(&lattice), surface_(&surface) {
+InsideTest::InsideTest(const Lattice& lattice, const TriangleSurface& surface)
+    : lattice_(&lattice), surface_(&surface) {
   const std::int64_t row = lattice.cells[1] + 1;
   const double margin = clipping_error(lattice);
   std::vector<std::pair<std::int64_t, Index>> entries;  // column, triangle
@@ -90,7 +99,8 @@ InsideTest::InsideTest(const Lattice& lattice, const TriangleSurface& surface) :
 }
 
 int InsideTest::operator()(const Eigen::Vector3d& p) const {
-  const std::int64_t column = lattice_->cell_of(1, p.y()) + (lattice_->cells[1] + 1LL) * lattice_->cell_of(2, p.z());
+  const std::int64_t column =
+      lattice_->cell_of(1, p.y()) + (lattice_->cells[1] + 1LL) * lattice_->cell_of(2, p.z());
   bool inside = false;
   for (std::int64_t e = first_[column]; e < first_[column + 1]; ++e) {
     const Triangle t = corners(*surface_, triangles_[e]);

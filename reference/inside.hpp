@@ -10,8 +10,9 @@
 namespace tetproof::reference {
 
 /// For each lattice vertex +1 inside or -1 outside the surface; for a vertex that lies on the surface either.
-/// Whether the ray meets a triangle on its edge or at its corner is settled by moving the line by (epsilon, epsilon^2) in y and z.
-/// Throws std::logic_error when a line leaves the box on the inside: the surface is not closed.
+/// Whether the ray meets a triangle on its edge or at its corner is settled by moving the line by (epsilon,
+/// epsilon^2) in y and z. Throws std::logic_error when a line leaves the box on the inside: the surface is
+/// not closed.
 std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const TriangleSurface& surface);
 
 /// Answers for single points of the lattice's box, from the triangles over the cell column around the point.

@@ -18,10 +18,15 @@ using Eigen::Vector3d;
 using Rational = boost::multiprecision::cpp_rational;
 using RationalVector = std::array<Rational, 3>;
 
-RationalVector exact(const Vector3d& a) { return {Rational(a.x()), Rational(a.y()), Rational(a.z())}; }
-RationalVector operator-(const RationalVector& a, const RationalVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+RationalVector exact(const Vector3d& a) {
+  return {Rational(a.x()), Rational(a.y()), Rational(a.z())};
+}
+RationalVector operator-(const RationalVector& a, const RationalVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 Rational determinant(const RationalVector& a, const RationalVector& b, const RationalVector& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 struct Segment {
@@ -36,13 +41,15 @@ struct Place {
 
 constexpr double largest_error = 1e-12;  // of t, else rational arithmetic decides
 
-// Where the plane of the triangle cuts the edge, whose ends lie on different sides of it: t = D(a) / (D(a) - D(b)) with
-// D(x) = (x-p) . (q-p) x (r-p), in double precision. An error bound of D is 8 roundings' worth of the sum of its terms' magnitudes.
+// Where the plane of the triangle cuts the edge, whose ends lie on different sides of it: t = D(a) / (D(a) -
+// D(b)) with D(x) = (x-p) . (q-p) x (r-p), in double precision. An error bound of D is 8 roundings' worth of
+// the sum of its terms' magnitudes.
 Place place_in_doubles(const Segment& s, const Triangle& sorted) {
   const auto& [p, q, r] = sorted;
   const Vector3d u = q - p, v = r - p;
   const Vector3d normal = u.cross(v);
-  const Vector3d magnitude(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()), std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
+  const Vector3d magnitude(std::abs(u.y() * v.z()) + std::abs(u.z() * v.y()),
+                           std::abs(u.z() * v.x()) + std::abs(u.x() * v.z()),
                            std::abs(u.x() * v.y()) + std::abs(u.y() * v.x()));
   const Vector3d pa = s.a - p, pb = s.b - p;
   const double da = std::abs(pa.dot(normal)), db = std::abs(pb.dot(normal));
@@ -96,16 +103,20 @@ int compare(Crossing& a, Crossing& b, const Segment& s) {
 std::optional<std::array<Rational, 2>> overlap(const Segment& s, const Triangle& t) {
   const RationalVector a = exact(s.a), d = exact(s.b) - a;
   const RationalVector corner[3] = {exact(t[0]), exact(t[1]), exact(t[2])};
-  // In the projection that keeps the triangle's area, it is the intersection of three half-planes: side(x) * area >= 0.
+  // In the projection that keeps the triangle's area, it is the intersection of three half-planes: side(x) *
+  // area >= 0.
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto cross = [&](const RationalVector& x, const RationalVector& y) { return Rational(x[u] * y[v] - x[v] * y[u]); };
+    const auto cross = [&](const RationalVector& x, const RationalVector& y) {
+      return Rational(x[u] * y[v] - x[v] * y[u]);
+    };
     const int area = cross(corner[1] - corner[0], corner[2] - corner[0]).sign();
     if (area == 0) continue;
     Rational lo = 0, hi = 1;
     for (int c = 0; c < 3; ++c) {
       const RationalVector side = corner[(c + 1) % 3] - corner[c];
-      const Rational at_low = area * cross(side, a - corner[c]), slope = area * cross(side, d);  // at_low + t slope >= 0
+      const Rational at_low = area * cross(side, a - corner[c]),
+                     slope = area * cross(side, d);  // at_low + t slope >= 0
       if (slope == 0) {
         if (at_low < 0) return std::nullopt;
       } else if (slope > 0) {
@@ -148,10 +159,12 @@ EdgeIntersections unite(const Segment& s, const TriangleSurface& surface, Hits f
     if (hi != lo && hi > 0 && hi < 1) points.push_back(hi);
   }
   if (points.empty()) return {first->edge, 0, {}, {}};
-  return {first->edge, static_cast<int>(points.size()), point_at(s, rounded(points.front())), point_at(s, rounded(points.back()))};
+  return {first->edge, static_cast<int>(points.size()), point_at(s, rounded(points.front())),
+          point_at(s, rounded(points.back()))};
 }
 
-// Crossings only. Of several triangles through one point, the one whose sorted coordinates are smallest gives its coordinates.
+// Crossings only. Of several triangles through one point, the one whose sorted coordinates are smallest gives
+// its coordinates.
 EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits first, Hits last) {
   std::vector<Crossing> crossings;
   for (Hits hit = first; hit != last; ++hit) {
@@ -159,7 +172,8 @@ EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits f
     crossings.push_back({sorted, place(s, sorted), {}, false});
   }
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-    return std::lexicographical_compare(a.sorted.begin(), a.sorted.end(), b.sorted.begin(), b.sorted.end(), lexicographically_less);
+    return std::lexicographical_compare(a.sorted.begin(), a.sorted.end(), b.sorted.begin(), b.sorted.end(),
+                                        lexicographically_less);
   });
   std::vector<Crossing*> distinct;  // ascending along the edge
   for (Crossing& crossing : crossings) {
@@ -167,12 +181,14 @@ EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits f
                                      [&](Crossing* a, Crossing* b) { return compare(*a, *b, s) < 0; });
     if (at == distinct.end() || compare(crossing, **at, s) != 0) distinct.insert(at, &crossing);
   }
-  return {first->edge, static_cast<int>(distinct.size()), point_at(s, distinct.front()->at), point_at(s, distinct.back()->at)};
+  return {first->edge, static_cast<int>(distinct.size()), point_at(s, distinct.front()->at),
+          point_at(s, distinct.back()->at)};
 }
 
 }  // namespace
 
-std::vector<EdgeIntersections> intersect_edges(const Lattice& lattice, const TriangleSurface& surface, const Contacts& contacts,
+std::vector<EdgeIntersections> intersect_edges(const Lattice& lattice, const TriangleSurface& surface,
+                                               const Contacts& contacts,
                                                const std::function<bool(Edge)>& wanted) {
   std::vector<std::array<std::size_t, 2>> runs;  // the hits of each edge
   const std::vector<EdgeHit>& hits = contacts.hits;

@@ -11,7 +11,9 @@
 
 namespace tetproof::reference {
 
-double eq_2_1(double x0, double x1, double t) { return (1 - t) * x0 + t * x1; }
+double eq_2_1(double x0, double x1, double t) {
+  return (1 - t) * x0 + t * x1;
+}
 
 int Lattice::cell_of(int axis, double x) const {
   const std::vector<double>& plane = planes[axis];
@@ -36,14 +38,18 @@ Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, d
   if (cells[0] > 0 && cells[1] == 0 && cells[2] == 0) {
     const int along_longest = cells[0];
     for (int axis = 0; axis < 3; ++axis)
-      cells[axis] = std::max(1, static_cast<int>(std::lround(along_longest * (half[axis] / half.maxCoeff()))));
+      cells[axis] =
+          std::max(1, static_cast<int>(std::lround(along_longest * (half[axis] / half.maxCoeff()))));
   }
   double vertices = 1;
   for (const int n : cells) {
-    if (n < 1) throw InputError(fmt::format("the number of cells must be 1 or more in each direction, found {}", n));
+    if (n < 1)
+      throw InputError(fmt::format("the number of cells must be 1 or more in each direction, found {}", n));
     vertices *= n + 1.0;
   }
-  if (vertices > 4e8) throw InputError(fmt::format("a lattice of {} x {} x {} cells is too large: more than 4e8 vertices", cells[0], cells[1], cells[2]));
+  if (vertices > 4e8)
+    throw InputError(fmt::format("a lattice of {} x {} x {} cells is too large: more than 4e8 vertices",
+                                 cells[0], cells[1], cells[2]));
 
   Lattice lattice{cells, {}, HUGE_VAL};
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,10 +57,13 @@ Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, d
     std::vector<double>& plane = lattice.planes[axis];
     plane.resize(cells[axis] + 1);
     for (int i = 0; i <= cells[axis]; ++i) plane[i] = eq_2_1(x0, x1, static_cast<double>(i) / cells[axis]);
-    if (!(x0 < box.min()[axis] && box.max()[axis] < x1) || std::adjacent_find(plane.begin(), plane.end(), std::greater_equal<>()) != plane.end() ||
+    if (!(x0 < box.min()[axis] && box.max()[axis] < x1) ||
+        std::adjacent_find(plane.begin(), plane.end(), std::greater_equal<>()) != plane.end() ||
         !std::isfinite(x1 - x0))
-      throw InputError(fmt::format("the surface's box, {:.17g} .. {:.17g} along {}, cannot be told apart into {} cells in double precision",
-                                   box.min()[axis], box.max()[axis], "xyz"[axis], cells[axis]));
+      throw InputError(
+          fmt::format("the surface's box, {:.17g} .. {:.17g} along {}, cannot be told apart into {} cells in "
+                      "double precision",
+                      box.min()[axis], box.max()[axis], "xyz"[axis], cells[axis]));
     lattice.shortest_edge = std::min(lattice.shortest_edge, (x1 - x0) / cells[axis]);
   }
   return lattice;

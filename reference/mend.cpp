@@ -17,7 +17,8 @@ std::vector<Index> not_positive(const TetMesh& mesh) {
   tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) {
     for (std::size_t t = s * tets_a_task; t < std::min(mesh.tets.size(), (s + 1) * tets_a_task); ++t) {
       const auto& [a, b, c, d] = mesh.tets[t];
-      if (orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) <= 0) slices[s].push_back(static_cast<Index>(t));
+      if (orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) <= 0)
+        slices[s].push_back(static_cast<Index>(t));
     }
   });
   std::vector<Index> all;
@@ -25,15 +26,17 @@ std::vector<Index> not_positive(const TetMesh& mesh) {
   return all;
 }
 
-std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleSurface& surface, const Indicators& indicators,
-                                         const SurfaceVertices& settled, const Grid& grid, const std::vector<Index>& tets) {
+std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleSurface& surface,
+                                         const Indicators& indicators, const SurfaceVertices& settled,
+                                         const Grid& grid, const std::vector<Index>& tets) {
   std::map<Vertex, double> chosen;  // with the length of the cut
   double longest = 0;
   for (const Index t : tets) {
     const std::uint32_t number = grid.lattice_tet[t];
     const std::int64_t cell = number / 6;
     const auto nx = lattice.cells[0], ny = lattice.cells[1];
-    const Vertex base = lattice.vertex(static_cast<int>(cell % nx), static_cast<int>(cell / nx % ny), static_cast<int>(cell / nx / ny));
+    const Vertex base = lattice.vertex(static_cast<int>(cell % nx), static_cast<int>(cell / nx % ny),
+                                       static_cast<int>(cell / nx / ny));
     const auto& corners = kuhn_tets[number % 6];
     Vertex nearest = -1;
     double shortest = HUGE_VAL;
@@ -52,7 +55,8 @@ std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleS
     longest = std::max(longest, shortest);
   }
   if (chosen.empty()) return {};
-  // The surface is at most a cut's length away; a cut that rounding put on the vertex itself still deserves a search around it.
+  // The surface is at most a cut's length away; a cut that rounding put on the vertex itself still deserves a
+  // search around it.
   const double radius = std::max(2 * longest, 1e-6 * lattice.shortest_edge);
   return find_near_vertices(lattice, surface, radius, [&](Vertex v) { return chosen.contains(v); });
 }

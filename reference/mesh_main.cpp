@@ -35,23 +35,39 @@ struct Arguments {
 
 // Adds the options of reference::Options and of this program.
 void declare_options(CLI::App& app, Arguments& a) {
-  const std::map<std::string, reference::Region> regions{{"inside", reference::Region::inside}, {"outside", reference::Region::outside}};
+  const std::map<std::string, reference::Region> regions{{"inside", reference::Region::inside},
+                                                         {"outside", reference::Region::outside}};
   const std::map<std::string, reference::Diagonals> diagonals{{"lowest", reference::Diagonals::lowest},
                                                               {"shortest", reference::Diagonals::shortest}};
-  app.add_option("SURFACE", a.surface, "a closed surface: .stl .off .obj .ply .msh, or a generated one (--list-surfaces)");
-  app.add_option("-o,--output", a.grid, "the grid; its ending says the format")->type_name("GRID")->always_capture_default(false);
+  app.add_option("SURFACE", a.surface,
+                 "a closed surface: .stl .off .obj .ply .msh, or a generated one (--list-surfaces)");
+  app.add_option("-o,--output", a.grid, "the grid; its ending says the format")
+      ->type_name("GRID")
+      ->always_capture_default(false);
   app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
-      ->transform(CLI::CheckedTransformer(regions))->option_text("inside|outside [inside]");
-  app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")->type_name("N|NX,NY,NZ");
-  app.add_option("--box-scale", a.options.box_scale, "the lattice's box over the surface's, more than 1")->type_name("S");
-  app.add_option("--on-surface", a.options.on_surface,
-                 "lattice vertices closer to the surface than this go there, in shortest cell edges, 0 to 0.15")->type_name("T");
-  app.add_option("--diagonals", a.options.diagonals, "the diagonal of a quadrilateral that two tetrahedra share")
-      ->transform(CLI::CheckedTransformer(diagonals))->option_text("lowest|shortest [lowest]");
-  app.add_flag("--literal", a.options.literal, "as printed: case 5 always kept, --on-surface 0, rounding reported and not mended");
-  app.add_option("--points", a.points, "points to insert; only 0 so far: section 3 of the paper is not here yet")->type_name("0");
-  app.add_option("--voxels", a.voxels, "voxels along the longest side for the independent volume account; 0: without")
-      ->check(CLI::Range(0, 4096))->type_name("N");
+      ->transform(CLI::CheckedTransformer(regions))
+      ->option_text("inside|outside [inside]");
+  app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")
+      ->type_name("N|NX,NY,NZ");
+  app.add_option("--box-scale", a.options.box_scale, "the lattice's box over the surface's, more than 1")
+      ->type_name("S");
+  app.add_option(
+         "--on-surface", a.options.on_surface,
+         "lattice vertices closer to the surface than this go there, in shortest cell edges, 0 to 0.15")
+      ->type_name("T");
+  app.add_option("--diagonals", a.options.diagonals,
+                 "the diagonal of a quadrilateral that two tetrahedra share")
+      ->transform(CLI::CheckedTransformer(diagonals))
+      ->option_text("lowest|shortest [lowest]");
+  app.add_flag("--literal", a.options.literal,
+               "as printed: case 5 always kept, --on-surface 0, rounding reported and not mended");
+  app.add_option("--points", a.points,
+                 "points to insert; only 0 so far: section 3 of the paper is not here yet")
+      ->type_name("0");
+  app.add_option("--voxels", a.voxels,
+                 "voxels along the longest side for the independent volume account; 0: without")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
   app.add_flag("--ascii", a.ascii, "write text where the format has both");
   app.add_flag("--binary", a.binary, "write binary where the format has both")->excludes("--ascii");
   app.add_flag("--timings", a.timings, "seconds per phase in the JSON and in the talk");
@@ -74,7 +90,8 @@ std::array<int, 3> parse_cells(const std::string& text) {
     }
   }
   if (at != text.size() + 1 || n == 2 || std::count(cells.begin(), cells.begin() + n, 0) > 0)
-    throw InputError(fmt::format("--cells: expected one positive number or three, as in 24 or 24,12,12, found '{}'", text));
+    throw InputError(fmt::format(
+        "--cells: expected one positive number or three, as in 24 or 24,12,12, found '{}'", text));
   return cells;
 }
 
@@ -107,35 +124,45 @@ std::string orientation_of(const verify::SurfaceReport& surface) {
   return outward == 0 ? "inward" : "mixed";
 }
 
-Json generation_json(const Arguments& a, const verify::SurfaceReport& surface, const reference::Generation& made) {
+Json generation_json(const Arguments& a, const verify::SurfaceReport& surface,
+                     const reference::Generation& made) {
   Json cases, table3;
-  for (std::size_t r = 0; r < made.grid.rows.size(); ++r) cases[std::string(reference::tables::table2[r].name)] = made.grid.rows[r];
-  for (std::size_t r = 0; r < made.table3.size(); ++r) table3[std::string(reference::tables::table3[r].name)] = made.table3[r];
-  return {{"surface",
-           {{"file", a.surface},
-            {"triangles", surface.triangles},
-            {"components", surface.components.size()},
-            {"orientation", orientation_of(surface)}}},
-          {"lattice", {{"cells", made.lattice.cells}, {"points", made.lattice.vertices()}, {"tets", made.lattice.tets()}}},
-          {"cases", cases},
-          {"table3", table3},
-          {"dropped_intersections", made.dropped_intersections},
-          {"moved_to_surface", made.moved_to_surface},
-          {"mended", made.mended},
-          {"collapsed", made.grid.collapsed},
-          {"not_positive", made.not_positive}};
+  for (std::size_t r = 0; r < made.grid.rows.size(); ++r)
+    cases[std::string(reference::tables::table2[r].name)] = made.grid.rows[r];
+  for (std::size_t r = 0; r < made.table3.size(); ++r)
+    table3[std::string(reference::tables::table3[r].name)] = made.table3[r];
+  return {
+      {"surface",
+       {{"file", a.surface},
+        {"triangles", surface.triangles},
+        {"components", surface.components.size()},
+        {"orientation", orientation_of(surface)}}},
+      {"lattice",
+       {{"cells", made.lattice.cells}, {"points", made.lattice.vertices()}, {"tets", made.lattice.tets()}}},
+      {"cases", cases},
+      {"table3", table3},
+      {"dropped_intersections", made.dropped_intersections},
+      {"moved_to_surface", made.moved_to_surface},
+      {"mended", made.mended},
+      {"collapsed", made.grid.collapsed},
+      {"not_positive", made.not_positive}};
 }
 
 std::string generation_text(const reference::Generation& made) {
   const auto [nx, ny, nz] = made.lattice.cells;
-  std::string text = fmt::format("grid: {} tetrahedra, {} points, from a lattice of {} x {} x {} cells\n", made.grid.mesh.tets.size(),
-                                 made.grid.mesh.points.size(), nx, ny, nz);
-  if (made.moved_to_surface) text += fmt::format("  {} lattice vertices moved to the surface\n", made.moved_to_surface);
-  if (made.mended) text += fmt::format("  {} more moved there because rounding had inverted a tetrahedron\n", made.mended);
+  std::string text = fmt::format("grid: {} tetrahedra, {} points, from a lattice of {} x {} x {} cells\n",
+                                 made.grid.mesh.tets.size(), made.grid.mesh.points.size(), nx, ny, nz);
+  if (made.moved_to_surface)
+    text += fmt::format("  {} lattice vertices moved to the surface\n", made.moved_to_surface);
+  if (made.mended)
+    text += fmt::format("  {} more moved there because rounding had inverted a tetrahedron\n", made.mended);
   if (made.dropped_intersections)
-    text += fmt::format("  the surface has features thinner than the lattice: {} intersections on lattice edges dropped (Table 3)\n",
-                        made.dropped_intersections);
-  if (made.not_positive) text += fmt::format("  {} tetrahedra are not positive after rounding\n", made.not_positive);
+    text += fmt::format(
+        "  the surface has features thinner than the lattice: {} intersections on lattice edges dropped "
+        "(Table 3)\n",
+        made.dropped_intersections);
+  if (made.not_positive)
+    text += fmt::format("  {} tetrahedra are not positive after rounding\n", made.not_positive);
   return text;
 }
 
@@ -146,7 +173,9 @@ int mesh(const Arguments& a, const program::Common& common) {
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
   if (a.grid.empty()) throw InputError("expected -o GRID (see tetproof-mesh --help)");
-  if (a.points != "0") throw InputError("--points: expected 0, found '" + a.points + "': section 3 of the paper is not here yet");
+  if (a.points != "0")
+    throw InputError("--points: expected 0, found '" + a.points +
+                     "': section 3 of the paper is not here yet");
   format_of(a.grid);  // refuses an unknown ending before the work
   check_creatable(a.grid);
 
@@ -164,13 +193,15 @@ int mesh(const Arguments& a, const program::Common& common) {
 
   const reference::Generation made = generate(surface, options);
   if (made.grid.mesh.tets.empty())
-    program::say(common, "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
+    program::say(common,
+                 "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
 
   watch.enter("verification");
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();
   const verify::Report report =
       verify::verify(made.grid.mesh, surface,
-                     {.region = options.region == reference::Region::inside ? verify::Region::inside : verify::Region::outside,
+                     {.region = options.region == reference::Region::inside ? verify::Region::inside
+                                                                            : verify::Region::outside,
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),
                       .voxels = a.voxels,
                       .timings = a.timings});
@@ -180,7 +211,8 @@ int mesh(const Arguments& a, const program::Common& common) {
   write_document(a.grid, document_of(made.grid.mesh), write);
   const auto& seconds = watch.stop();
 
-  if (common.json != "-") fmt::print("{}{}written: {}\n", generation_text(made), verify::report_text(report), a.grid);
+  if (common.json != "-")
+    fmt::print("{}{}written: {}\n", generation_text(made), verify::report_text(report), a.grid);
   if (a.timings)
     for (const auto& [name, s] : seconds) program::say(common, fmt::format("{:>8.3f} s  {}", s, name));
   if (!common.json.empty()) {
@@ -197,7 +229,8 @@ int mesh(const Arguments& a, const program::Common& common) {
 
 int main(int argc, char** argv) {
   return program::run(argc, argv,
-                      {.purpose = "Fills a closed surface, or the space around it, with tetrahedra by the method of Hamann, Chen and Hong (1994).",
+                      {.purpose = "Fills a closed surface, or the space around it, with tetrahedra by the "
+                                  "method of Hamann, Chen and Hong (1994).",
                        .examples = examples,
                        .libraries = {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}},
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lattice cells and lattice lines a triangle can touch: a superset, found in time that grows with its size.
+// Which lattice cells and lattice lines a triangle can touch: a superset, found in time that grows with its
+// size.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +19,8 @@ inline Triangle corners(const TriangleSurface& surface, std::size_t t) {
   return {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
 }
 
-/// A convex polygon: a triangle clipped by at most four planes (7 corners; rounding may dent it, hence the room).
+/// A convex polygon: a triangle clipped by at most four planes (7 corners; rounding may dent it, hence the
+/// room).
 struct ClippedTriangle {
   std::array<Eigen::Vector3d, 16> corners;
   int size;
@@ -32,16 +34,19 @@ struct ClippedTriangle {
   }
 };
 
-/// More than the rounding of any clipped corner: clipping interpolates twice between the corners of a triangle inside the
-/// lattice, with a few rounding errors each, of at most 2^-52 times the largest coordinate.
+/// More than the rounding of any clipped corner: clipping interpolates twice between the corners of a
+/// triangle inside the lattice, with a few rounding errors each, of at most 2^-52 times the largest
+/// coordinate.
 inline double clipping_error(const Lattice& lattice) {
   double largest = 0;
-  for (const auto& plane : lattice.planes) largest = std::max({largest, std::abs(plane.front()), std::abs(plane.back())});
+  for (const auto& plane : lattice.planes)
+    largest = std::max({largest, std::abs(plane.front()), std::abs(plane.back())});
   return 64 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Calls visit(i, j, k) for every cell whose closed box comes within `margin` of the triangle, and for some more beside it. Cells count from
-/// 0 to n inclusive along each axis: cell n stands for what lies on the last lattice plane.
+/// Calls visit(i, j, k) for every cell whose closed box comes within `margin` of the triangle, and for some
+/// more beside it. Cells count from 0 to n inclusive along each axis: cell n stands for what lies on the last
+/// lattice plane.
 template <class Visit>
 void for_each_cell(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
   const auto range = [&](const ClippedTriangle& part, int axis) {
@@ -68,7 +73,8 @@ void for_each_cell(const Lattice& lattice, const Triangle& triangle, double marg
   }
 }
 
-/// Calls visit(j, k) for every lattice line along x that comes within `margin` of the triangle's projection along x, and some more.
+/// Calls visit(j, k) for every lattice line along x that comes within `margin` of the triangle's projection
+/// along x, and some more.
 template <class Visit>
 void for_each_x_line(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
   const ClippedTriangle whole{{triangle[0], triangle[1], triangle[2]}, 3};
@@ -79,7 +85,8 @@ void for_each_x_line(const Lattice& lattice, const Triangle& triangle, double ma
     if (strip.size == 0) continue;
     const auto [z0, z1] = strip.extent(2);
     const auto& z = lattice.planes[2];
-    for (int k = lattice.cell_of(2, z0 - margin); k <= lattice.cells[2] && z[k] <= z1 + margin; ++k) visit(j, k);
+    for (int k = lattice.cell_of(2, z0 - margin); k <= lattice.cells[2] && z[k] <= z1 + margin; ++k)
+      visit(j, k);
   }
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t rows = table2.size();
 
-// The tetrahedron v1 = 0, v2 = 12 e1, v3 = 12 e2, v4 = 12 e3, with cuts at midpoints, in integers: (0,0,0) is shared, 12 divides by 2 and 6.
+// The tetrahedron v1 = 0, v2 = 12 e1, v3 = 12 e2, v4 = 12 e3, with cuts at midpoints, in integers: (0,0,0) is
+// shared, 12 divides by 2 and 6.
 using Point = std::array<int, 3>;
 constexpr Point place(RowPoint p) {
   constexpr std::array<Point, 4> v{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}};
@@ -37,7 +38,8 @@ constexpr int orientation_as_listed(const std::array<RowPoint, 4>& tet) {
     m[1][x] = c[x] - a[x];
     m[2][x] = d[x] - a[x];
   }
-  const int det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  const int det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                   m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
@@ -60,7 +62,8 @@ constexpr Quads quads_of(const std::array<std::int8_t, 4>& s) {
     for (int j = i + 1; j < 4; ++j)
       for (int e = j + 1; e < 4; ++e)
         if (s[i] > 0 && s[j] > 0 && s[e] < 0)
-          found.quads[found.size++] = {static_cast<RowPoint>(i), static_cast<RowPoint>(j), cut(i, e), cut(j, e)};
+          found.quads[found.size++] = {static_cast<RowPoint>(i), static_cast<RowPoint>(j), cut(i, e),
+                                       cut(j, e)};
   return found;
 }
 
@@ -82,7 +85,8 @@ constexpr int find_row(int first_row, unsigned from_the_first) {
     bool fits = true;
     for (int q = 0; q < quads.size; ++q) {
       const Quad& quad = quads.quads[q];
-      fits = fits && (from_the_first >> q & 1 ? has_edge(table2[r], quad.vi, quad.pje) : has_edge(table2[r], quad.vj, quad.pie));
+      fits = fits && (from_the_first >> q & 1 ? has_edge(table2[r], quad.vi, quad.pje)
+                                              : has_edge(table2[r], quad.vj, quad.pie));
     }
     if (fits) return static_cast<int>(r);
   }
@@ -97,7 +101,8 @@ constexpr Choices choices = [] {
   Choices all;
   for (std::size_t r = 0; r < rows; ++r) {
     all.quads[r] = quads_of(table2[r].indicators);
-    for (unsigned mask = 0; mask < 8; ++mask) all.row[r][mask] = find_row(static_cast<int>(r), mask & ((1u << all.quads[r].size) - 1));
+    for (unsigned mask = 0; mask < 8; ++mask)
+      all.row[r][mask] = find_row(static_cast<int>(r), mask & ((1u << all.quads[r].size) - 1));
   }
   return all;
 }();
@@ -115,7 +120,9 @@ constexpr SortedVertices sorted(std::array<std::int8_t, 4> s) {
   return result;
 }
 
-constexpr int code(const std::array<std::int8_t, 4>& s) { return s[0] + 1 + 3 * (s[1] + 1) + 9 * (s[2] + 1) + 27 * (s[3] + 1); }
+constexpr int code(const std::array<std::int8_t, 4>& s) {
+  return s[0] + 1 + 3 * (s[1] + 1) + 9 * (s[2] + 1) + 27 * (s[3] + 1);
+}
 
 constexpr auto all_sorted = [] {
   std::array<SortedVertices, 81> all{};
@@ -128,9 +135,17 @@ constexpr auto all_sorted = [] {
 
 }  // namespace
 
-SortedVertices sort_vertices(const std::array<std::int8_t, 4>& indicators) { return all_sorted[code(indicators)]; }
-const Quads& shared_quads(int first_row) { return choices.quads[first_row]; }
-int choose_row(int first_row, unsigned from_the_first) { return choices.row[first_row][from_the_first]; }
-int listed_orientation(int row, int t) { return orientations[row][t]; }
+SortedVertices sort_vertices(const std::array<std::int8_t, 4>& indicators) {
+  return all_sorted[code(indicators)];
+}
+const Quads& shared_quads(int first_row) {
+  return choices.quads[first_row];
+}
+int choose_row(int first_row, unsigned from_the_first) {
+  return choices.row[first_row][from_the_first];
+}
+int listed_orientation(int row, int t) {
+  return orientations[row][t];
+}
 
 }  // namespace tetproof::reference

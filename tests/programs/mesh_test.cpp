@@ -26,30 +26,37 @@ struct Surface {
   const char* name;
   const char* file;
 };
-const Surface clean[] = {{"sphere", "unit_sphere.STL"}, {"torus", "torus.STL"}, {"wing", "NACA0012.obj"}, {"spot", "spot.obj"},
-                         {"dog_skull", "BONESkull.stl"}, {"plate", "plate_holes.STL"}, {"tray", "1002_tray_bottom.STL"},
-                         {"shell", "Cray_left.obj"}, {"hulls", "hull-body.obj"}, {"skull", "ct_skull.off"}};
+const Surface clean[] = {{"sphere", "unit_sphere.STL"},    {"torus", "torus.STL"},
+                         {"wing", "NACA0012.obj"},         {"spot", "spot.obj"},
+                         {"dog_skull", "BONESkull.stl"},   {"plate", "plate_holes.STL"},
+                         {"tray", "1002_tray_bottom.STL"}, {"shell", "Cray_left.obj"},
+                         {"hulls", "hull-body.obj"},       {"skull", "ct_skull.off"}};
 
 class CleanSurfaces : public testing::TestWithParam<std::tuple<Surface, const char*, const char*>> {};
 
 TEST_P(CleanSurfaces, GiveACertifiedGrid) {
   const auto& [surface, cells, region] = GetParam();
-  if (!std::filesystem::exists(shared + surface.file)) GTEST_SKIP() << "no ../shared/surfaces beside the project";
+  if (!std::filesystem::exists(shared + surface.file))
+    GTEST_SKIP() << "no ../shared/surfaces beside the project";
   const ScratchFolder folder;
-  const Outcome run = mesh({shared + surface.file, "-o", folder / "grid.msh", "--binary", "--cells", cells, "--region", region, "--json", "-"});
+  const Outcome run = mesh({shared + surface.file, "-o", folder / "grid.msh", "--binary", "--cells", cells,
+                            "--region", region, "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run;
   const json report = json::parse(run.out);
   EXPECT_EQ(report["verdict"], "sound");
   EXPECT_EQ(report["certificate"], true);
   EXPECT_TRUE(folder.has("grid.msh"));
   for (const json& check : report["checks"])
-    if (check["id"] == "volume-surface" || check["id"] == "volume-voxel") EXPECT_EQ(check["verdict"], "pass") << check.dump(1);
+    if (check["id"] == "volume-surface" || check["id"] == "volume-voxel")
+      EXPECT_EQ(check["verdict"], "pass") << check.dump(1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CleanSurfaces,
-                         testing::Combine(testing::ValuesIn(clean), testing::Values("24", "64"), testing::Values("inside", "outside")),
+                         testing::Combine(testing::ValuesIn(clean), testing::Values("24", "64"),
+                                          testing::Values("inside", "outside")),
                          [](const auto& each) {
-                           return std::string(std::get<0>(each.param).name) + "_" + std::get<1>(each.param) + "_" + std::get<2>(each.param);
+                           return std::string(std::get<0>(each.param).name) + "_" + std::get<1>(each.param) +
+                                  "_" + std::get<2>(each.param);
                          });
 
 // The bad ones get their one line, exit 2 and no file.
@@ -60,9 +67,12 @@ struct Bad {
 };
 const Bad bad[] = {
     {"open", shared + "sphereWithHole.stl", "the surface is open: 9 edges have one triangle (first: "},
-    {"crossing", shared + "self_intersectA.obj", "the surface intersects itself: 338 pairs of triangles meet (first: "},
-    {"touching", shared + "shared.STL", "the surface is not manifold: 1 edge has more than two triangles (first: "},
-    {"turned", shared + "simpleCar.stl", "the surface is not consistently oriented: component 0 (3142 triangles from 0, volume -2.449"},
+    {"crossing", shared + "self_intersectA.obj",
+     "the surface intersects itself: 338 pairs of triangles meet (first: "},
+    {"touching", shared + "shared.STL",
+     "the surface is not manifold: 1 edge has more than two triangles (first: "},
+    {"turned", shared + "simpleCar.stl",
+     "the surface is not consistently oriented: component 0 (3142 triangles from 0, volume -2.449"},
     {"everything", shared + "hat_skull.stl", "the surface is open: 84 edges have one triangle (first: "},
 };
 class BadSurfaces : public testing::TestWithParam<Bad> {};
@@ -77,11 +87,13 @@ TEST_P(BadSurfaces, AreRefusedInOneLine) {
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(folder.names().empty());
 }
-INSTANTIATE_TEST_SUITE_P(Shared, BadSurfaces, testing::ValuesIn(bad), [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(Shared, BadSurfaces, testing::ValuesIn(bad),
+                         [](const auto& each) { return each.param.name; });
 
 TEST(Mesh, WritesWhatItCounted) {
   const ScratchFolder folder;
-  const Outcome run = mesh({shipped + "spot.obj", "-o", folder / "spot.node", "--json", folder / "spot.json"});
+  const Outcome run =
+      mesh({shipped + "spot.obj", "-o", folder / "spot.node", "--json", folder / "spot.json"});
   ASSERT_EQ(run.exit_code, 0) << run;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"spot.ele", "spot.json", "spot.node"}));
   const json report = json::parse(folder.read("spot.json"));
@@ -96,7 +108,8 @@ TEST(Mesh, WritesWhatItCounted) {
 
 TEST(Mesh, JsonHasTheAgreedKeys) {
   const ScratchFolder folder;
-  const Outcome run = mesh({"torus:R=1,r=0.4,n=2000", "-o", folder / "t.msh", "--cells", "20", "--json", "-"});
+  const Outcome run =
+      mesh({"torus:R=1,r=0.4,n=2000", "-o", folder / "t.msh", "--cells", "20", "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run;
   const json generation = json::parse(run.out)["generation"];
   EXPECT_EQ(generation["surface"]["file"], "torus:R=1,r=0.4,n=2000");
@@ -128,14 +141,25 @@ TEST(Mesh, AnInwardSurfaceIsNoFault) {
 
 TEST(Mesh, AnEmptyGridIsSaid) {
   const ScratchFolder folder;
-  const Outcome run = mesh({"box:x0=0,x1=10,y0=0,y1=10,z0=0,z1=0.05", "-o", folder / "g.msh", "--cells", "4"});
-  EXPECT_THAT(run.err, HasSubstr("the grid is empty: the surface is thinner than the lattice everywhere; use more --cells"));
+  const Outcome run =
+      mesh({"box:x0=0,x1=10,y0=0,y1=10,z0=0,z1=0.05", "-o", folder / "g.msh", "--cells", "4"});
+  EXPECT_THAT(
+      run.err,
+      HasSubstr("the grid is empty: the surface is thinner than the lattice everywhere; use more --cells"));
 }
 
 TEST(Mesh, LiteralReportsWhatRoundingDid) {
   const ScratchFolder folder;
   // Lattice planes come out beside the cube's faces by rounding: cuts next to vertices.
-  const std::vector<std::string> cube{"box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4", "-o", folder / "g.msh", "--cells", "6", "--box-scale", "1.5", "--json", "-"};
+  const std::vector<std::string> cube{"box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4",
+                                      "-o",
+                                      folder / "g.msh",
+                                      "--cells",
+                                      "6",
+                                      "--box-scale",
+                                      "1.5",
+                                      "--json",
+                                      "-"};
   auto literal = cube, mended = cube;
   literal.push_back("--literal");
   mended.insert(mended.end(), {"--on-surface", "0"});
@@ -171,22 +195,31 @@ TEST_P(WrongUsage, IsOneLineAndExit2) {
 const Usage usages[] = {
     {"no_surface", {"-o", "OUT.msh"}, "expected a SURFACE"},
     {"no_grid", {"sphere"}, "expected -o GRID"},
-    {"two_cells", {"sphere", "-o", "OUT.msh", "--cells", "4,4"}, "--cells: expected one positive number or three, as in 24 or 24,12,12, found '4,4'"},
-    {"no_cells", {"sphere", "-o", "OUT.msh", "--cells", "0"}, "--cells: expected one positive number or three"},
+    {"two_cells",
+     {"sphere", "-o", "OUT.msh", "--cells", "4,4"},
+     "--cells: expected one positive number or three, as in 24 or 24,12,12, found '4,4'"},
+    {"no_cells",
+     {"sphere", "-o", "OUT.msh", "--cells", "0"},
+     "--cells: expected one positive number or three"},
     {"cells_of_words", {"sphere", "-o", "OUT.msh", "--cells", "4,4,x"}, "found '4,4,x'"},
     {"trailing_comma", {"sphere", "-o", "OUT.msh", "--cells", "4,4,4,"}, "found '4,4,4,'"},
     {"huge_lattice", {"sphere", "-o", "OUT.msh", "--cells", "99999999"}, "too large: more than 4e8 vertices"},
     {"small_box", {"sphere", "-o", "OUT.msh", "--box-scale", "1"}, "the box scale must be more than 1"},
     {"nan_box", {"sphere", "-o", "OUT.msh", "--box-scale", "nan"}, "the box scale must be more than 1"},
-    {"large_tolerance", {"sphere", "-o", "OUT.msh", "--on-surface", "0.2"}, "the on-surface tolerance must be 0 to 0.15"},
-    {"nan_tolerance", {"sphere", "-o", "OUT.msh", "--on-surface", "nan"}, "the on-surface tolerance must be 0 to 0.15"},
+    {"large_tolerance",
+     {"sphere", "-o", "OUT.msh", "--on-surface", "0.2"},
+     "the on-surface tolerance must be 0 to 0.15"},
+    {"nan_tolerance",
+     {"sphere", "-o", "OUT.msh", "--on-surface", "nan"},
+     "the on-surface tolerance must be 0 to 0.15"},
     {"points", {"sphere", "-o", "OUT.msh", "--points", "auto"}, "section 3 of the paper is not here yet"},
     {"region", {"sphere", "-o", "OUT.msh", "--region", "around"}, "--region"},
     {"unknown_ending", {"sphere", "-o", "OUT.xyz"}, ".xyz"},
     {"unknown_surface", {"spheer:r=1", "-o", "OUT.msh"}, "spheer"},
     {"bad_parameter", {"sphere:q=1", "-o", "OUT.msh"}, "q"},
 };
-INSTANTIATE_TEST_SUITE_P(Mesh, WrongUsage, testing::ValuesIn(usages), [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(Mesh, WrongUsage, testing::ValuesIn(usages),
+                         [](const auto& each) { return each.param.name; });
 
 TEST(Mesh, ListsItsSurfaces) {
   const Outcome run = mesh({"--list-surfaces"});

@@ -16,8 +16,8 @@ namespace {
 
 using namespace tetproof;
 using reference::Diagonals;
-using reference::Generation;
 using reference::generate;
+using reference::Generation;
 using reference::Region;
 
 // A case is a seed and the options; RapidCheck shrinks towards small seeds and coarse lattices.
@@ -30,22 +30,31 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
   const auto& [nx, ny, nz] = c.options.cells;
   return out << "surface seed " << c.seed << ", cells " << nx << ',' << ny << ',' << nz << ", region "
              << (c.options.region == Region::inside ? "inside" : "outside") << ", diagonals "
-             << (c.options.diagonals == Diagonals::lowest ? "lowest" : "shortest") << ", on-surface " << c.options.on_surface
-             << ", box scale " << c.options.box_scale;
+             << (c.options.diagonals == Diagonals::lowest ? "lowest" : "shortest") << ", on-surface "
+             << c.options.on_surface << ", box scale " << c.options.box_scale;
 }
 
 rc::Gen<Case> any_case() {
   return rc::gen::map(
-      rc::gen::tuple(rc::gen::inRange<std::uint64_t>(0, 1u << 20), rc::gen::inRange(2, 16), rc::gen::inRange(2, 16), rc::gen::inRange(2, 16),
-                     rc::gen::element(Region::inside, Region::outside), rc::gen::element(Diagonals::lowest, Diagonals::shortest),
+      rc::gen::tuple(rc::gen::inRange<std::uint64_t>(0, 1u << 20), rc::gen::inRange(2, 16),
+                     rc::gen::inRange(2, 16), rc::gen::inRange(2, 16),
+                     rc::gen::element(Region::inside, Region::outside),
+                     rc::gen::element(Diagonals::lowest, Diagonals::shortest),
                      rc::gen::element(0.0, 1e-6, 0.05, 0.15), rc::gen::element(2.0, 1.5, 1.2, 1.01)),
       [](const auto& drawn) {
         const auto& [seed, nx, ny, nz, region, diagonals, on_surface, box_scale] = drawn;
-        return Case{seed, {.region = region, .cells = {nx, ny, nz}, .box_scale = box_scale, .on_surface = on_surface, .diagonals = diagonals}};
+        return Case{seed,
+                    {.region = region,
+                     .cells = {nx, ny, nz},
+                     .box_scale = box_scale,
+                     .on_surface = on_surface,
+                     .diagonals = diagonals}};
       });
 }
 
-bool passes(const verify::Report& report, verify::Check check) { return report[check].verdict == verify::Verdict::pass; }
+bool passes(const verify::Report& report, verify::Check check) {
+  return report[check].verdict == verify::Verdict::pass;
+}
 
 // How often each case of Table 1 occurred, over its rows.
 std::map<std::string, std::int64_t> cases_of(const Generation& made) {
@@ -65,9 +74,12 @@ RC_GTEST_PROP(Generation, IsCertifiedAndItsBoundaryIsManifoldOffTheLattice, ()) 
   const verify::Report report = verify::verify(made.grid.mesh, {.quality = false});
   RC_ASSERT(report.certificate.has_value() && *report.certificate);
   RC_ASSERT(verify::sound(report));
-  const bool no_vertex_on_surface = std::none_of(made.grid.origins.begin(), made.grid.origins.end(), [&, p = std::size_t{0}](auto origin) mutable {
-    return origin == reference::Origin::lattice_vertex && made.grid.on_surface[p++];
-  }) && made.moved_to_surface == 0 && made.mended == 0 && c.options.on_surface > 0;
+  const bool no_vertex_on_surface =
+      std::none_of(made.grid.origins.begin(), made.grid.origins.end(),
+                   [&, p = std::size_t{0}](auto origin) mutable {
+                     return origin == reference::Origin::lattice_vertex && made.grid.on_surface[p++];
+                   }) &&
+      made.moved_to_surface == 0 && made.mended == 0 && c.options.on_surface > 0;
   if (no_vertex_on_surface) {
     RC_ASSERT(passes(report, verify::Check::boundary_nonmanifold_edge));
     RC_ASSERT(passes(report, verify::Check::boundary_nonmanifold_vertex));
@@ -106,11 +118,13 @@ RC_GTEST_PROP(Generation, InsideAndOutsideTogetherAreTheBox, ()) {
   RC_ASSERT(report.mesh.components == std::optional<std::int64_t>(1));
   RC_ASSERT(report.mesh.cavities == std::optional<std::int64_t>(0));
   const Eigen::Vector3d size = inside.lattice.point(inside.lattice.vertices() - 1) - inside.lattice.point(0);
-  // Vertices of the box's own faces may have gone to the surface; otherwise the box is filled to the last bit but its own rounding.
-  const bool box_is_whole = std::all_of(both.points.begin(), both.points.end(), [&](const Eigen::Vector3d& p) {
-    return ((p - inside.lattice.point(0)).array() >= 0).all();
-  });
-  if (box_is_whole && c.options.box_scale > 1.1) RC_ASSERT(std::abs(*report.mesh.volume - size.prod()) <= 1e-14 * size.prod());
+  // Vertices of the box's own faces may have gone to the surface; otherwise the box is filled to the last bit
+  // but its own rounding.
+  const bool box_is_whole = std::all_of(
+      both.points.begin(), both.points.end(),
+      [&](const Eigen::Vector3d& p) { return ((p - inside.lattice.point(0)).array() >= 0).all(); });
+  if (box_is_whole && c.options.box_scale > 1.1)
+    RC_ASSERT(std::abs(*report.mesh.volume - size.prod()) <= 1e-14 * size.prod());
 }
 
 RC_GTEST_PROP(Generation, SameBytesForAnyNumberOfThreads, ()) {
@@ -154,7 +168,8 @@ RC_GTEST_PROP(Generation, ScalesByTwoExactly, ()) {
   const Generation b = generate(surface, c.options);
   RC_ASSERT(a.grid.mesh.tets == b.grid.mesh.tets);
   RC_ASSERT(a.grid.mesh.points.size() == b.grid.mesh.points.size());
-  for (std::size_t p = 0; p < a.grid.mesh.points.size(); ++p) RC_ASSERT(Eigen::Vector3d(2 * a.grid.mesh.points[p]) == b.grid.mesh.points[p]);
+  for (std::size_t p = 0; p < a.grid.mesh.points.size(); ++p)
+    RC_ASSERT(Eigen::Vector3d(2 * a.grid.mesh.points[p]) == b.grid.mesh.points[p]);
 }
 
 RC_GTEST_PROP(Generation, CaseCountsSurviveACyclicExchangeOfTheAxes, ()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brute force in rational arithmetic: where a point lies, and where a segment meets a surface. No code shared with reference/.
+// Brute force in rational arithmetic: where a point lies, and where a segment meets a surface. No code shared
+// with reference/.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,20 @@ using exact_mesh::exact;
 using exact_mesh::Point;
 using exact_mesh::Rational;
 
-inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Point minus(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Rational dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-/// The closed interval of t in which origin + t * direction lies in the closed triangle, by barycentric coordinates; t is not bounded.
-inline std::optional<std::array<Rational, 2>> line_in_triangle(const Point& origin, const Point& direction, const std::array<Point, 3>& t) {
+/// The closed interval of t in which origin + t * direction lies in the closed triangle, by barycentric
+/// coordinates; t is not bounded.
+inline std::optional<std::array<Rational, 2>> line_in_triangle(const Point& origin, const Point& direction,
+                                                               const std::array<Point, 3>& t) {
   const Point normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
   const Rational slope = dot(normal, direction), height = dot(normal, minus(origin, t[0]));
   if (slope == 0 && height != 0) return std::nullopt;
@@ -53,21 +60,29 @@ inline std::optional<std::array<Rational, 2>> line_in_triangle(const Point& orig
 class Surface {
  public:
   explicit Surface(const tetproof::TriangleSurface& s) {
-    for (const auto& [a, b, c] : s.triangles) triangles_.push_back({exact(s.vertices[a]), exact(s.vertices[b]), exact(s.vertices[c])});
+    for (const auto& [a, b, c] : s.triangles) {
+      triangles_.push_back({exact(s.vertices[a]), exact(s.vertices[b]), exact(s.vertices[c])});
+      lowest_.push_back(s.vertices[a].cwiseMin(s.vertices[b]).cwiseMin(s.vertices[c]));
+      highest_.push_back(s.vertices[a].cwiseMax(s.vertices[b]).cwiseMax(s.vertices[c]));
+    }
   }
 
   /// -1 outside, 0 on the surface, 1 inside: by a ray in a direction that meets no edge.
-  int locate(const Point& p) const {
+  int locate(const Eigen::Vector3d& from) const {
+    const Point p = exact(from);
     for (int attempt = 0;; ++attempt) {
       const Point direction{Rational(1), Rational(attempt * 37 + 11, 101), Rational(attempt * 53 + 7, 1009)};
       int crossings = 0;
       bool clean = true;
-      for (const auto& t : triangles_) {
+      for (std::size_t n = 0; n < triangles_.size(); ++n) {
+        if ((highest_[n].array() < from.array()).any()) continue;  // the ray runs upwards in every coordinate
+        const auto& t = triangles_[n];
         const auto hit = line_in_triangle(p, direction, t);
         if (!hit) continue;
         if ((*hit)[0] <= 0 && (*hit)[1] >= 0) return 0;
         if ((*hit)[1] < 0) continue;
-        const Point at{p[0] + (*hit)[0] * direction[0], p[1] + (*hit)[0] * direction[1], p[2] + (*hit)[0] * direction[2]};
+        const Point at{p[0] + (*hit)[0] * direction[0], p[1] + (*hit)[0] * direction[1],
+                       p[2] + (*hit)[0] * direction[2]};
         clean = clean && (*hit)[0] == (*hit)[1] && strictly_inside(at, t);
         ++crossings;
       }
@@ -75,11 +90,15 @@ class Surface {
     }
   }
 
-  /// The ends of the maximal pieces that segment ab has in common with the surface, as parameters in the open interval (0,1), ascending, each once.
-  std::vector<Rational> points_on(const Point& a, const Point& b) const {
+  /// The ends of the maximal pieces that segment ab has in common with the surface, as parameters in the open
+  /// interval (0,1), ascending, each once.
+  std::vector<Rational> points_on(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    const Point a = exact(from), b = exact(to);
+    const Eigen::Vector3d low = from.cwiseMin(to), high = from.cwiseMax(to);
     std::vector<std::array<Rational, 2>> pieces;
-    for (const auto& t : triangles_) {
-      auto hit = line_in_triangle(a, minus(b, a), t);
+    for (std::size_t n = 0; n < triangles_.size(); ++n) {
+      if ((highest_[n].array() < low.array()).any() || (lowest_[n].array() > high.array()).any()) continue;
+      auto hit = line_in_triangle(a, minus(b, a), triangles_[n]);
       if (!hit) continue;
       (*hit)[0] = std::max((*hit)[0], Rational(0));
       (*hit)[1] = std::min((*hit)[1], Rational(1));
@@ -107,6 +126,7 @@ class Surface {
   }
 
   std::vector<std::array<Point, 3>> triangles_;
+  std::vector<Eigen::Vector3d> lowest_, highest_;  // of each, exact: they select nothing but what cannot meet
 };
 
 }  // namespace exact_surface

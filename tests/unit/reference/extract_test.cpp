@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (iv) on lattices with indicators and cuts drawn at random, surfaces or not: neighbours match, tetrahedra are positive, numbers are D3's.
+// Step (iv) on lattices with indicators and cuts drawn at random, surfaces or not: neighbours match,
+// tetrahedra are positive, numbers are D3's.
 #include "reference/extract.hpp"
 
 #include <gtest/gtest.h>
@@ -23,11 +24,12 @@ Lattice unit_lattice(std::array<int, 3> cells) {
 }
 
 struct Draw {
-  bool zeros = false;           // vertices on the surface, settled
-  bool zeros_changed = false;   // vertices that were 0 and that Table 3 changed (reading D7)
+  bool zeros = false;          // vertices on the surface, settled
+  bool zeros_changed = false;  // vertices that were 0 and that Table 3 changed (reading D7)
 };
 
-// Any signs; a cut anywhere on each edge between -1 and +1, at multiples of 1/64 so that arithmetic on them stays exact.
+// Any signs; a cut anywhere on each edge between -1 and +1, at multiples of 1/64 so that arithmetic on them
+// stays exact.
 Indicators random_indicators(const Lattice& lattice, std::mt19937_64& random, Draw draw) {
   Indicators indicators;
   for (Vertex v = 0; v < lattice.vertices(); ++v) {
@@ -45,7 +47,8 @@ Indicators random_indicators(const Lattice& lattice, std::mt19937_64& random, Dr
     const auto at = lattice.position(low);
     for (int direction = 1; direction < 8; ++direction) {
       bool inside = true;
-      for (int axis = 0; axis < 3; ++axis) inside = inside && at[axis] + (direction >> axis & 1) <= lattice.cells[axis];
+      for (int axis = 0; axis < 3; ++axis)
+        inside = inside && at[axis] + (direction >> axis & 1) <= lattice.cells[axis];
       if (!inside) continue;
       const Vertex high = low + lattice.offset(direction);
       if (indicators.sign[low] * indicators.sign[high] >= 0) continue;
@@ -66,15 +69,18 @@ Indicators flipped(Indicators indicators) {
   return indicators;
 }
 
-Grid extract_all(const Lattice& lattice, const Indicators& indicators, Diagonals diagonals, bool keep_case_5 = true) {
+Grid extract_all(const Lattice& lattice, const Indicators& indicators, Diagonals diagonals,
+                 bool keep_case_5 = true) {
   return extract(lattice, indicators, {}, diagonals, [=](const Eigen::Vector3d&) { return keep_case_5; });
 }
 
-// Lattice faces lie in x, y or z = integer, or x = y (+ integer) and so on: a boundary face must lie on the box or on the surface.
+// Lattice faces lie in x, y or z = integer, or x = y (+ integer) and so on: a boundary face must lie on the
+// box or on the surface.
 bool on_box(const Lattice& lattice, const TetMesh& mesh, const std::array<Index, 3>& face) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {0.0, static_cast<double>(lattice.cells[axis])})
-      if (std::all_of(face.begin(), face.end(), [&](Index p) { return mesh.points[p][axis] == side; })) return true;
+      if (std::all_of(face.begin(), face.end(), [&](Index p) { return mesh.points[p][axis] == side; }))
+        return true;
   return false;
 }
 
@@ -103,14 +109,16 @@ TEST_P(RandomIndicators, PositiveConformingBoundaryOnBoxOrSurface) {
     const bool has_zero = std::count(row.indicators.begin(), row.indicators.end(), 0) > 0;
     const bool by_lowest = row.name == "10d" || row.name == "11b" || row.name == "12f";
     const bool one_of_many = row.name.size() > 2 && row.name != "E8";
-    const bool possible = (!has_zero || zeros) && (diagonals == Diagonals::shortest || !one_of_many || by_lowest);
+    const bool possible =
+        (!has_zero || zeros) && (diagonals == Diagonals::shortest || !one_of_many || by_lowest);
     EXPECT_EQ(rows[r] > 0, possible) << row.name;
   }
   EXPECT_EQ(collapsed > 0, changed);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RandomIndicators,
-                         testing::Combine(testing::Values(Diagonals::lowest, Diagonals::shortest), testing::Bool(), testing::Bool()));
+                         testing::Combine(testing::Values(Diagonals::lowest, Diagonals::shortest),
+                                          testing::Bool(), testing::Bool()));
 
 TEST(Extract, InsideAndOutsideTogetherAreTheBox) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -122,10 +130,12 @@ TEST(Extract, InsideAndOutsideTogetherAreTheBox) {
     // One mesh of both, points identified by what they were made from.
     TetMesh both = inside.mesh;
     std::map<std::pair<Origin, std::int64_t>, Index> known;
-    for (std::size_t p = 0; p < inside.mesh.points.size(); ++p) known[{inside.origins[p], inside.sources[p]}] = static_cast<Index>(p);
+    for (std::size_t p = 0; p < inside.mesh.points.size(); ++p)
+      known[{inside.origins[p], inside.sources[p]}] = static_cast<Index>(p);
     std::vector<Index> joined;
     for (std::size_t p = 0; p < outside.mesh.points.size(); ++p) {
-      const auto [at, isnew] = known.try_emplace({outside.origins[p], outside.sources[p]}, static_cast<Index>(both.points.size()));
+      const auto [at, isnew] =
+          known.try_emplace({outside.origins[p], outside.sources[p]}, static_cast<Index>(both.points.size()));
       if (isnew) both.points.push_back(outside.mesh.points[p]);
       ASSERT_EQ(both.points[at->second], outside.mesh.points[p]);
       joined.push_back(at->second);
@@ -147,7 +157,8 @@ TEST(Extract, OneInteriorCornerByHand) {
   Indicators indicators;
   indicators.sign = {-1, -1, -1, -1, -1, -1, -1, 1};
   indicators.initial = indicators.sign;
-  // The edges to vertex 7 come from 0 (direction 7), 1 (6), 2 (5), 3 (4), 4 (3), 5 (2) and 6 (1), each cut in its middle.
+  // The edges to vertex 7 come from 0 (direction 7), 1 (6), 2 (5), 3 (4), 4 (3), 5 (2) and 6 (1), each cut in
+  // its middle.
   indicators.cuts.directions = {1 << 7, 1 << 6, 1 << 5, 1 << 4, 1 << 3, 1 << 2, 1 << 1, 0};
   for (Vertex v = 0; v < 8; ++v) {
     indicators.cuts.first.push_back(static_cast<std::uint32_t>(v));
@@ -157,8 +168,10 @@ TEST(Extract, OneInteriorCornerByHand) {
     }
   }
   const Grid grid = extract_all(lattice, indicators, Diagonals::lowest);
-  // Point 0 is vertex 7, point 1 + v the cut on the edge from v. Row 6 is (v1, p12, p13, p14) with v1 = 7 and v2 < v3 < v4.
-  const std::vector<std::array<Index, 4>> expected{{0, 1, 2, 4}, {0, 1, 6, 2}, {0, 1, 4, 3}, {0, 1, 3, 7}, {0, 1, 5, 6}, {0, 1, 7, 5}};
+  // Point 0 is vertex 7, point 1 + v the cut on the edge from v. Row 6 is (v1, p12, p13, p14) with v1 = 7 and
+  // v2 < v3 < v4.
+  const std::vector<std::array<Index, 4>> expected{{0, 1, 2, 4}, {0, 1, 6, 2}, {0, 1, 4, 3},
+                                                   {0, 1, 3, 7}, {0, 1, 5, 6}, {0, 1, 7, 5}};
   std::vector<std::array<Index, 4>> sorted_found, sorted_expected;
   for (auto tet : grid.mesh.tets) {
     std::sort(tet.begin(), tet.end());
@@ -180,7 +193,8 @@ TEST(Extract, NumbersAscendAsReadingD3) {
   const Lattice lattice = unit_lattice({12, 12, 12});
   const Grid grid = extract_all(lattice, random_indicators(lattice, random, {}), Diagonals::shortest);
   for (std::size_t p = 1; p < grid.mesh.points.size(); ++p)
-    EXPECT_LT(std::pair(grid.origins[p - 1], grid.sources[p - 1]), std::pair(grid.origins[p], grid.sources[p]));
+    EXPECT_LT(std::pair(grid.origins[p - 1], grid.sources[p - 1]),
+              std::pair(grid.origins[p], grid.sources[p]));
   EXPECT_TRUE(std::is_sorted(grid.lattice_tet.begin(), grid.lattice_tet.end()));
   EXPECT_GT(std::count(grid.origins.begin(), grid.origins.end(), Origin::centroid), 0);
   std::set<Index> named;

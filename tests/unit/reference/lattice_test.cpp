@@ -22,7 +22,9 @@ TriangleSurface surface_with_box(const Eigen::Vector3d& lo, const Eigen::Vector3
 
 TEST(Equation21, IsTheSumOverTheEightCornersOfTheBox) {
   const Lattice lattice = make_lattice(surface_with_box({-1, 2, 0.1}, {3, 2.5, 9}), {4, 3, 7}, 1.3);
-  const auto box = [&](int axis, int end) { return end ? lattice.planes[axis].back() : lattice.planes[axis].front(); };
+  const auto box = [&](int axis, int end) {
+    return end ? lattice.planes[axis].back() : lattice.planes[axis].front();
+  };
   const auto bernstein = [](int degree_index, double t) { return degree_index ? t : 1 - t; };
   for (int i = 0; i <= 4; ++i)
     for (int j = 0; j <= 3; ++j)
@@ -31,7 +33,8 @@ TEST(Equation21, IsTheSumOverTheEightCornersOfTheBox) {
         for (int I = 0; I < 2; ++I)
           for (int J = 0; J < 2; ++J)
             for (int K = 0; K < 2; ++K)
-              sum += Eigen::Vector3d(box(0, I), box(1, J), box(2, K)) * bernstein(I, i / 4.0) * bernstein(J, j / 3.0) * bernstein(K, k / 7.0);
+              sum += Eigen::Vector3d(box(0, I), box(1, J), box(2, K)) * bernstein(I, i / 4.0) *
+                     bernstein(J, j / 3.0) * bernstein(K, k / 7.0);
         EXPECT_LT((lattice.point(i, j, k) - sum).norm(), 1e-14) << i << ' ' << j << ' ' << k;
       }
 }
@@ -59,12 +62,14 @@ TEST(Lattice, NumbersVerticesAsReadingD3) {
 
 TEST(Lattice, EdgesAscendLexicographically) {
   const Lattice lattice = make_lattice(surface_with_box({0, 0, 0}, {1, 1, 1}), {1, 1, 1}, 1.2);
-  for (int direction = 1; direction < 7; ++direction) EXPECT_LT(lattice.offset(direction), lattice.offset(direction + 1));
+  for (int direction = 1; direction < 7; ++direction)
+    EXPECT_LT(lattice.offset(direction), lattice.offset(direction + 1));
 }
 
 TEST(KuhnSplit, TilesTheCellAndSharesItsMainDiagonal) {
   TetMesh mesh;
-  for (int corner = 0; corner < 8; ++corner) mesh.points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
   for (std::size_t t = 0; t < 6; ++t) {
     std::array<Index, 4> tet;
     for (int v = 0; v < 4; ++v) tet[v] = kuhn_tets[t][v];
@@ -110,11 +115,14 @@ std::string refusal(const TriangleSurface& surface, std::array<int, 3> cells, do
 TEST(Lattice, RefusesWhatItCannotUse) {
   const TriangleSurface unit = surface_with_box({0, 0, 0}, {1, 1, 1});
   EXPECT_EQ(refusal(unit, {4, 4, 4}, 1), "the box scale must be more than 1 and below 1e6, found 1");
-  EXPECT_EQ(refusal(unit, {4, 0, 4}, 1.2), "the number of cells must be 1 or more in each direction, found 0");
-  EXPECT_EQ(refusal(unit, {100000, 0, 0}, 1.2), "a lattice of 100000 x 100000 x 100000 cells is too large: more than 4e8 vertices");
+  EXPECT_EQ(refusal(unit, {4, 0, 4}, 1.2),
+            "the number of cells must be 1 or more in each direction, found 0");
+  EXPECT_EQ(refusal(unit, {100000, 0, 0}, 1.2),
+            "a lattice of 100000 x 100000 x 100000 cells is too large: more than 4e8 vertices");
   const double big = 1e16;
   EXPECT_EQ(refusal(surface_with_box({big, 0, 0}, {big + 4, 1, 1}), {24, 2, 2}, 1.2),
-            "the surface's box, 10000000000000000 .. 10000000000000004 along x, cannot be told apart into 24 cells in double precision");
+            "the surface's box, 10000000000000000 .. 10000000000000004 along x, cannot be told apart into 24 "
+            "cells in double precision");
   EXPECT_EQ(refusal(TriangleSurface{}, {4, 4, 4}, 1.2), "the surface has no triangles");
 }
 

@@ -19,7 +19,8 @@ using exact_mesh::Rational;
 
 constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-// A lattice tetrahedron and a plane: vertex i has the value f[i], 0 on the plane, and p_ij lies where the value is 0.
+// A lattice tetrahedron and a plane: vertex i has the value f[i], 0 on the plane, and p_ij lies where the
+// value is 0.
 struct CutTetrahedron {
   std::array<Point, 11> place;
   Rational volume6, inside6;  // of the whole and of the part where the value is positive
@@ -46,13 +47,15 @@ CutTetrahedron cut_by_plane(const std::array<std::int8_t, 4>& indicators, std::m
     const auto [i, j] = edges[e];
     if (indicators[i] * indicators[j] >= 0) continue;
     const Rational t = f[i] / (f[i] - f[j]);
-    for (int x = 0; x < 3; ++x) cut.place[p12 + e][x] = cut.place[i][x] + t * (cut.place[j][x] - cut.place[i][x]);
+    for (int x = 0; x < 3; ++x)
+      cut.place[p12 + e][x] = cut.place[i][x] + t * (cut.place[j][x] - cut.place[i][x]);
   }
   for (int x = 0; x < 3; ++x) {
     cut.place[c][x] = 0;
     for (const RowPoint p : {v1, v2, v3, p14, p24, p34}) cut.place[c][x] += cut.place[p][x] / 6;
   }
-  // The part of a simplex where a linear function is positive: V * sum of f_i^3 / prod (f_i - f_j) over the positive vertices.
+  // The part of a simplex where a linear function is positive: V * sum of f_i^3 / prod (f_i - f_j) over the
+  // positive vertices.
   cut.inside6 = 0;
   for (int i = 0; i < 4; ++i) {
     if (f[i] <= 0) continue;
@@ -78,7 +81,8 @@ TEST_P(Table2, TilesExactlyTheInsidePart) {
     for (int t = 0; t < row.size; ++t) {
       std::array<int, 4> tet;
       for (int v = 0; v < 4; ++v) tet[v] = row.tets[t][v];
-      Rational volume = exact_mesh::volume6(cut.place[tet[0]], cut.place[tet[1]], cut.place[tet[2]], cut.place[tet[3]]);
+      Rational volume =
+          exact_mesh::volume6(cut.place[tet[0]], cut.place[tet[1]], cut.place[tet[2]], cut.place[tet[3]]);
       EXPECT_EQ(volume.sign(), listed_orientation(GetParam(), t)) << row.name << " tetrahedron " << t;
       if (volume < 0) {
         std::swap(tet[2], tet[3]);
@@ -93,7 +97,8 @@ TEST_P(Table2, TilesExactlyTheInsidePart) {
     }
     // Case 5 has no positive vertex; it is kept whole or not at all (reading D10).
     EXPECT_EQ(sum, row.name == "5" ? cut.volume6 : cut.inside6) << row.name;
-    // Unmatched faces lie on the lattice tetrahedron's faces or on the surface: they name no centroid, and all lie in one of those planes.
+    // Unmatched faces lie on the lattice tetrahedron's faces or on the surface: they name no centroid, and
+    // all lie in one of those planes.
     for (const auto& [face, count] : faces) {
       if (faces.contains({face[0], face[2], face[1]})) continue;
       const auto on_lattice_face = [&](int opposite) {
@@ -102,26 +107,30 @@ TEST_P(Table2, TilesExactlyTheInsidePart) {
           return p != c && edges[p - p12][0] != opposite && edges[p - p12][1] != opposite;
         });
       };
-      const bool on_surface = std::all_of(face.begin(), face.end(), [&](int p) { return p < 4 ? row.indicators[p] == 0 : p != c; });
-      EXPECT_TRUE(on_surface || on_lattice_face(0) || on_lattice_face(1) || on_lattice_face(2) || on_lattice_face(3)) << row.name;
+      const bool on_surface = std::all_of(face.begin(), face.end(),
+                                          [&](int p) { return p < 4 ? row.indicators[p] == 0 : p != c; });
+      EXPECT_TRUE(on_surface || on_lattice_face(0) || on_lattice_face(1) || on_lattice_face(2) ||
+                  on_lattice_face(3))
+          << row.name;
     }
   }
 }
 
 TEST_P(Table2, NamesOnlyCutsThatTable1Allows) {
-  const auto one = std::find_if(table1.begin(), table1.end(), [&](const Table1Row& r) { return r.indicators == row.indicators; });
+  const auto one = std::find_if(table1.begin(), table1.end(),
+                                [&](const Table1Row& r) { return r.indicators == row.indicators; });
   ASSERT_NE(one, table1.end());
   std::set<int> named;
   for (int t = 0; t < row.size; ++t)
     for (const RowPoint p : row.tets[t])
       if (p >= p12 && p <= p34) named.insert(p - p12);
   for (const int p : named) EXPECT_EQ(one->possible[p], y) << row.name << " names cut " << p;
-  for (int p = 0; row.size > 0 && p < 6; ++p) EXPECT_EQ(named.contains(p), one->possible[p] == y) << row.name << " cut " << p;
+  for (int p = 0; row.size > 0 && p < 6; ++p)
+    EXPECT_EQ(named.contains(p), one->possible[p] == y) << row.name << " cut " << p;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryRow, Table2, testing::Range(0, static_cast<int>(table2.size())), [](const auto& each) {
-  return std::string(table2[each.param].name);
-});
+INSTANTIATE_TEST_SUITE_P(EveryRow, Table2, testing::Range(0, static_cast<int>(table2.size())),
+                         [](const auto& each) { return std::string(table2[each.param].name); });
 
 TEST(Table1, HasEveryMultisetOfIndicatorsOnce) {
   std::set<std::array<std::int8_t, 4>> rows;
@@ -129,7 +138,8 @@ TEST(Table1, HasEveryMultisetOfIndicatorsOnce) {
     EXPECT_TRUE(std::is_sorted(row.indicators.rbegin(), row.indicators.rend())) << row.name;
     rows.insert(row.indicators);
     for (int p = 0; p < 6; ++p)
-      EXPECT_EQ(row.possible[p] == y, row.indicators[edges[p][0]] * row.indicators[edges[p][1]] < 0) << row.name << " edge " << p;
+      EXPECT_EQ(row.possible[p] == y, row.indicators[edges[p][0]] * row.indicators[edges[p][1]] < 0)
+          << row.name << " edge " << p;
   }
   EXPECT_EQ(rows.size(), 15u);  // 4 indicators of 3 kinds: (4+2 choose 2)
   EXPECT_EQ(table1.size(), 15u);
@@ -137,7 +147,8 @@ TEST(Table1, HasEveryMultisetOfIndicatorsOnce) {
 
 TEST(Table2Errata, NegativeAsListed) {
   // Reading E7, in the paper's own naming.
-  const std::set<std::string> expected{"10a.3", "10b.3", "10d.3", "10c.1", "10c.3", "12a.2", "12e.2", "12f.2"};
+  const std::set<std::string> expected{"10a.3", "10b.3", "10d.3", "10c.1",
+                                       "10c.3", "12a.2", "12e.2", "12f.2"};
   std::set<std::string> found;
   for (std::size_t r = 0; r < table2.size(); ++r)
     for (int t = 0; t < table2[r].size; ++t)
@@ -146,7 +157,8 @@ TEST(Table2Errata, NegativeAsListed) {
   EXPECT_EQ(found, expected);
 }
 
-// Sorting, all 81 kinds of tetrahedra: descending, ties in place, the sign of the permutation, and the case with these indicators.
+// Sorting, all 81 kinds of tetrahedra: descending, ties in place, the sign of the permutation, and the case
+// with these indicators.
 TEST(SortVertices, All81) {
   for (int code = 0; code < 81; ++code) {
     std::array<std::int8_t, 4> s;
@@ -162,7 +174,8 @@ TEST(SortVertices, All81) {
       for (int j = 0; j < i; ++j) inversions += by_hand[j].second > by_hand[i].second;
     }
     EXPECT_EQ(sorted.sign, inversions % 2 ? -1 : 1) << code;
-    EXPECT_TRUE(sorted.first_row == 0 || table2[sorted.first_row - 1].indicators != table2[sorted.first_row].indicators);
+    EXPECT_TRUE(sorted.first_row == 0 ||
+                table2[sorted.first_row - 1].indicators != table2[sorted.first_row].indicators);
   }
 }
 
@@ -174,13 +187,20 @@ struct DiagonalCase {
 
 TEST(ChooseRow, ByTheDiagonalsOfItsQuadrilaterals) {
   const std::vector<DiagonalCase> cases{
-      {"10a", {{v1, p23}, {v1, p24}}, "10d"}, {"10a", {{v1, p23}, {v2, p14}}, "10c"},
-      {"10a", {{v2, p13}, {v1, p24}}, "10b"}, {"10a", {{v2, p13}, {v2, p14}}, "10a"},
-      {"11a", {{v1, p24}}, "11b"},            {"11a", {{v2, p14}}, "11a"},
-      {"12a", {{v1, p24}, {v1, p34}, {v2, p34}}, "12f"}, {"12a", {{v1, p24}, {v1, p34}, {v3, p24}}, "12e"},
-      {"12a", {{v1, p24}, {v3, p14}, {v3, p24}}, "12d"}, {"12a", {{v1, p24}, {v3, p14}, {v2, p34}}, "12g"},
-      {"12a", {{v2, p14}, {v1, p34}, {v2, p34}}, "12a"}, {"12a", {{v2, p14}, {v1, p34}, {v3, p24}}, "12h"},
-      {"12a", {{v2, p14}, {v3, p14}, {v2, p34}}, "12c"}, {"12a", {{v2, p14}, {v3, p14}, {v3, p24}}, "12b"},
+      {"10a", {{v1, p23}, {v1, p24}}, "10d"},
+      {"10a", {{v1, p23}, {v2, p14}}, "10c"},
+      {"10a", {{v2, p13}, {v1, p24}}, "10b"},
+      {"10a", {{v2, p13}, {v2, p14}}, "10a"},
+      {"11a", {{v1, p24}}, "11b"},
+      {"11a", {{v2, p14}}, "11a"},
+      {"12a", {{v1, p24}, {v1, p34}, {v2, p34}}, "12f"},
+      {"12a", {{v1, p24}, {v1, p34}, {v3, p24}}, "12e"},
+      {"12a", {{v1, p24}, {v3, p14}, {v3, p24}}, "12d"},
+      {"12a", {{v1, p24}, {v3, p14}, {v2, p34}}, "12g"},
+      {"12a", {{v2, p14}, {v1, p34}, {v2, p34}}, "12a"},
+      {"12a", {{v2, p14}, {v1, p34}, {v3, p24}}, "12h"},
+      {"12a", {{v2, p14}, {v3, p14}, {v2, p34}}, "12c"},
+      {"12a", {{v2, p14}, {v3, p14}, {v3, p24}}, "12b"},
   };
   for (const DiagonalCase& one : cases) {
     int first = 0;
@@ -190,7 +210,8 @@ TEST(ChooseRow, ByTheDiagonalsOfItsQuadrilaterals) {
     unsigned from_the_first = 0;
     for (int q = 0; q < quads.size; ++q) {
       const Quad& quad = quads.quads[q];
-      for (const auto& d : one.diagonals) from_the_first |= static_cast<unsigned>(d == std::array{quad.vi, quad.pje}) << q;
+      for (const auto& d : one.diagonals)
+        from_the_first |= static_cast<unsigned>(d == std::array{quad.vi, quad.pje}) << q;
     }
     EXPECT_EQ(table2[choose_row(first, from_the_first)].name, one.row);
   }
@@ -198,7 +219,8 @@ TEST(ChooseRow, ByTheDiagonalsOfItsQuadrilaterals) {
 
 TEST(Table3, RowsByIndicators) {
   const std::vector<std::tuple<int, int, const char*, int, int>> expected{
-      {-1, -1, "1", -1, -1}, {-1, 0, "2", -1, -1}, {-1, 1, "3b", -1, 1}, {0, 0, "4", 1, 1}, {0, 1, "5", 1, 1}, {1, 1, "6", 1, 1}};
+      {-1, -1, "1", -1, -1}, {-1, 0, "2", -1, -1}, {-1, 1, "3b", -1, 1},
+      {0, 0, "4", 1, 1},     {0, 1, "5", 1, 1},    {1, 1, "6", 1, 1}};
   for (const auto& [vi, vj, name, new_vi, new_vj] : expected) {
     const Table3Row& row = table3[table3_row(vi, vj)];
     EXPECT_EQ(row.name, name);
