@@ -4,12 +4,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "verify/box.hpp"
-#include "verify/chunks.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -116,37 +117,97 @@ bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& fir
   }
 }
 
+namespace {
+
+// The boxes dealt to slabs across one axis, so that slabs can be searched by themselves. A box is in every
+// slab that it reaches; a pair belongs to the later of the slabs in which its two boxes begin, and both reach
+// that one.
+struct Slabs {
+  int axis = 0;
+  std::vector<double> splits;  // where all slabs but the first begin
+
+  std::uint32_t slab_of(double x) const {
+    return static_cast<std::uint32_t>(std::upper_bound(splits.begin(), splits.end(), x) - splits.begin());
+  }
+};
+
+Slabs make_slabs(const std::vector<Box>& boxes) {
+  constexpr std::size_t boxes_each = 16384;
+  // The axis across which boxes are thinnest; so many slabs that boxes reach about one more than they begin
+  // in.
+  Slabs slabs;
+  double reach = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = boxes[0].low[axis], high = low, sum = 0;
+    for (const Box& box : boxes) {
+      low = std::min(low, box.low[axis]);
+      high = std::max(high, box.high[axis]);
+      sum += box.high[axis] - box.low[axis];
+    }
+    const double share = sum / (static_cast<double>(boxes.size()) * (high - low));
+    if (share < reach) reach = share, slabs.axis = axis;
+  }
+  const double most = std::min(static_cast<double>(boxes.size() / boxes_each), 1 / reach);
+  const auto count = most >= 2 ? static_cast<std::size_t>(most) : 1;
+  std::vector<double> lows(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), lows.begin(),
+                 [&](const Box& box) { return box.low[slabs.axis]; });
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto at = lows.begin() + static_cast<std::ptrdiff_t>(i * lows.size() / count);
+    std::nth_element(lows.begin(), at, lows.end());
+    slabs.splits.push_back(*at);
+  }
+  return slabs;
+}
+
+// The first `most` in order, and how many there were.
+void keep_first(std::vector<std::array<Index, 2>>& pairs, std::size_t most) {
+  std::sort(pairs.begin(), pairs.end());
+  if (pairs.size() > most) pairs.resize(most);
+}
+
+}  // namespace
+
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                                  const std::vector<std::uint8_t>& excluded, std::size_t most) {
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!excluded.empty() && excluded[t]) continue;
-    boxes.push_back(box_of(points, triangles[t], t));
-  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (excluded.empty() || !excluded[t]) boxes.push_back(box_of(points, triangles[t], t));
   Intersections result;
-  std::vector<std::array<Index, 2>> candidates;
-  constexpr std::size_t batch = 1 << 22;
-  const auto test_candidates = [&] {
-    const auto found = collect_in_order<std::array<Index, 2>>(
-        candidates.size(), 8192,
-        [&](std::size_t begin, std::size_t end, std::vector<std::array<Index, 2>>& meeting) {
-          for (std::size_t i = begin; i < end; ++i)
-            if (triangles_meet(points, triangles[candidates[i][0]], triangles[candidates[i][1]]))
-              meeting.push_back(candidates[i]);
-        });
-    candidates.clear();
-    result.count += static_cast<std::int64_t>(found.size());
-    result.pairs.insert(result.pairs.end(), found.begin(), found.end());
-    std::sort(result.pairs.begin(), result.pairs.end());
-    if (result.pairs.size() > most) result.pairs.resize(most);
-  };
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
-    const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-    candidates.push_back({low, high});
-    if (candidates.size() == batch) test_candidates();
+  if (boxes.empty()) return result;
+
+  const Slabs slabs = make_slabs(boxes);
+  std::vector<std::uint32_t> begins(triangles.size()), ends(triangles.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+    begins[boxes[i].number] = slabs.slab_of(boxes[i].low[slabs.axis]);
+    ends[boxes[i].number] = slabs.slab_of(boxes[i].high[slabs.axis]);
   });
-  test_candidates();
+  std::vector<Intersections> found(slabs.splits.size() + 1);
+  tbb::parallel_for(
+      std::size_t{0}, found.size(),
+      [&](std::size_t slab) {
+        std::vector<Box> mine;
+        for (const Box& box : boxes)
+          if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
+        auto& [count, pairs] = found[slab];
+        CGAL::box_self_intersection_d(
+            mine.begin(), mine.end(), [&, &n = count, &list = pairs](const Box& x, const Box& y) {
+              if (std::max(begins[x.number], begins[y.number]) != slab) return;
+              const auto [low, high] =
+                  std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+              if (!triangles_meet(points, triangles[low], triangles[high])) return;
+              ++n;
+              list.push_back({low, high});
+              if (list.size() > 2 * most + 1024) keep_first(list, most);
+            });
+      },
+      tbb::simple_partitioner());
+  for (const Intersections& part : found) {
+    result.count += part.count;
+    result.pairs.insert(result.pairs.end(), part.pairs.begin(), part.pairs.end());
+  }
+  keep_first(result.pairs, most);
   return result;
 }
 

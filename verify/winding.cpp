@@ -113,9 +113,19 @@ std::vector<std::vector<Crossing>> cast_rays(std::span<const Eigen::Vector3d> po
     rays.push_back(ray_from(points, triangles, start));
     ray_boxes.push_back(box_of(rays.back(), triangles.size() + ray_boxes.size()));
   }
-  triangle_boxes.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    triangle_boxes.push_back(box_of(points, triangles[t], t));
+  // Few rays pass few triangles; the others need not be sorted.
+  Box all = ray_boxes.empty() ? Box{} : ray_boxes[0];
+  for (const Box& box : ray_boxes)
+    for (int k = 0; k < 3; ++k) {
+      all.low[k] = std::min(all.low[k], box.low[k]);
+      all.high[k] = std::max(all.high[k], box.high[k]);
+    }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Box box = box_of(points, triangles[t], t);
+    bool near = true;
+    for (int k = 0; k < 3; ++k) near = near && box.low[k] <= all.high[k] && box.high[k] >= all.low[k];
+    if (near) triangle_boxes.push_back(box);
+  }
   std::vector<std::vector<Crossing>> crossings(rays.size());
   CGAL::box_intersection_d(ray_boxes.begin(), ray_boxes.end(), triangle_boxes.begin(), triangle_boxes.end(),
                            [&](const Box& r, const Box& t) {
