@@ -191,16 +191,19 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         for (const Box& box : boxes)
           if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
         auto& [count, pairs] = found[slab];
-        CGAL::box_self_intersection_d(
-            mine.begin(), mine.end(), [&, &n = count, &list = pairs](const Box& x, const Box& y) {
-              if (std::max(begins[x.number], begins[y.number]) != slab) return;
-              const auto [low, high] =
-                  std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-              if (!triangles_meet(points, triangles[low], triangles[high])) return;
-              ++n;
-              list.push_back({low, high});
-              if (list.size() > 2 * most + 1024) keep_first(list, most);
-            });
+        const auto meet = [&, &n = count, &list = pairs](const Box& x, const Box& y) {
+          if (std::max(begins[x.number], begins[y.number]) != slab) return;
+          const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+          if (!triangles_meet(points, triangles[low], triangles[high])) return;
+          ++n;
+          list.push_back({low, high});
+          if (list.size() > 2 * most + 1024) keep_first(list, most);
+        };
+        // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
+        // default, 10.
+        CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
+                                      CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
+                                      CGAL::Box_intersection_d::CLOSED);
       },
       tbb::simple_partitioner());
   for (const Intersections& part : found) {
