@@ -187,7 +187,8 @@ int mesh(const Arguments& a, const program::Common& common) {
   watch.enter("reading");
   const TriangleSurface surface = corpus::open_surface(a.surface);
   watch.enter("judging the surface");
-  const verify::SurfaceReport judged = verify::judge_surface(surface);
+  const verify::JudgedSurface judged_surface(surface);
+  const verify::SurfaceReport& judged = judged_surface.report();
   if (!judged.fault.empty()) throw InputError(a.surface + ": " + judged.fault);
   for (const std::string& note : judged.notes) program::say(common, a.surface + ": " + note);
 
@@ -199,7 +200,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   watch.enter("verification");
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();
   const verify::Report report =
-      verify::verify(made.grid.mesh, surface,
+      verify::verify(made.grid.mesh, judged_surface,
                      {.region = options.region == reference::Region::inside ? verify::Region::inside
                                                                             : verify::Region::outside,
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),

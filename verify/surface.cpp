@@ -187,6 +187,13 @@ SurfaceReport judge_surface(const TriangleSurface& surface) {
   return judge(surface).report;
 }
 
+JudgedSurface::JudgedSurface(const TriangleSurface& surface)
+    : surface_(&surface), judgement_(std::make_shared<SurfaceJudgement>(judge(surface))) {}
+
+const SurfaceReport& JudgedSurface::report() const {
+  return judgement_->report;
+}
+
 SurfaceJudgement judge(const TriangleSurface& surface) {
   SurfaceJudgement judgement;
   SurfaceReport& report = judgement.report;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,22 @@ struct SurfaceReport {
 
   /// Number of components at odd depth: they bound cavities.
   std::int64_t cavities() const;
+};
+
+struct SurfaceJudgement;
+
+/// A surface with its judgement, so that it is judged once and meshes are compared with it any number of
+/// times. Refers to the surface, which must outlive it.
+class JudgedSurface {
+ public:
+  explicit JudgedSurface(const TriangleSurface& surface);
+  const TriangleSurface& surface() const { return *surface_; }
+  const SurfaceReport& report() const;
+  const SurfaceJudgement& judgement() const { return *judgement_; }  ///< internal to verify/
+
+ private:
+  const TriangleSurface* surface_;
+  std::shared_ptr<const SurfaceJudgement> judgement_;
 };
 
 /// Judges a surface whose equal vertices are welded. Exact decisions; same report for any number of threads.

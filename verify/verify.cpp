@@ -70,7 +70,7 @@ void settle_verdicts(const Judgement& j, Report& report) {
     report.certificate = true;
 }
 
-Report judge_mesh(const TetMesh& mesh, const TriangleSurface* surface, const Options& options) {
+Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
   if (!(options.fidelity >= 0) || !std::isfinite(options.fidelity))
     throw InputError(fmt::format("fidelity is {}, expected a number >= 0", options.fidelity));
   Judgement j{.mesh = mesh, .options = options, .asked = asked_checks(options, surface)};
@@ -78,12 +78,9 @@ Report judge_mesh(const TetMesh& mesh, const TriangleSurface* surface, const Opt
   for (int i = 0; i < check_count; ++i) report.checks.push_back({.check = static_cast<Check>(i)});
   Phases phases(options.timings, report);
 
-  SurfaceJudgement judged;
   if (surface) {
-    judged = judge(*surface);
-    if (!judged.report.fault.empty()) throw InputError(judged.report.fault);
-    report.notes = judged.report.notes;
-    phases.done("surface");
+    if (!surface->report().fault.empty()) throw InputError(surface->report().fault);
+    report.notes = surface->report().notes;
   }
   check_numbers_and_points(j);
   phases.done("points");
@@ -95,10 +92,10 @@ Report judge_mesh(const TetMesh& mesh, const TriangleSurface* surface, const Opt
   report.mesh.boundary_faces = static_cast<std::int64_t>(j.boundary.faces.size());
   report.mesh.volume = report.volume.mesh = volumes.sets.weighted_sum(volumes.all);
   phases.done("volume");
-  check_boundary(j, volumes, surface ? right_cavities(options.region, judged.report) : 0);
+  check_boundary(j, volumes, surface ? right_cavities(options.region, surface->report()) : 0);
   phases.done("boundary");
   if (surface) {
-    check_against_surface(j, volumes, *surface, judged);
+    check_against_surface(j, volumes, surface->surface(), surface->judgement());
     phases.done("against the surface");
   }
   if (options.quality) {
@@ -118,6 +115,10 @@ Report verify(const TetMesh& mesh, const Options& options) {
 }
 
 Report verify(const TetMesh& mesh, const TriangleSurface& surface, const Options& options) {
+  return verify(mesh, JudgedSurface(surface), options);
+}
+
+Report verify(const TetMesh& mesh, const JudgedSurface& surface, const Options& options) {
   return judge_mesh(mesh, &surface, options);
 }
 

@@ -8,6 +8,7 @@
 #include "io/tet_mesh.hpp"
 #include "io/triangle_surface.hpp"
 #include "verify/report.hpp"
+#include "verify/surface.hpp"
 
 namespace tetproof::verify {
 
@@ -39,5 +40,7 @@ Report verify(const TetMesh& mesh, const Options& options = {});
 
 /// The same, and against a surface. Throws InputError when the surface is not usable (`judge_surface`).
 Report verify(const TetMesh& mesh, const TriangleSurface& surface, const Options& options = {});
+/// The same, with a surface that was judged before.
+Report verify(const TetMesh& mesh, const JudgedSurface& surface, const Options& options = {});
 
 }  // namespace tetproof::verify
