@@ -47,8 +47,9 @@ TEST_P(CleanSurfaces, GiveACertifiedGrid) {
   EXPECT_EQ(report["certificate"], true);
   EXPECT_TRUE(folder.has("grid.msh"));
   for (const json& check : report["checks"])
-    if (check["id"] == "volume-surface" || check["id"] == "volume-voxel")
+    if (check["id"] == "volume-surface" || check["id"] == "volume-voxel") {
       EXPECT_EQ(check["verdict"], "pass") << check.dump(1);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CleanSurfaces,
