@@ -7,6 +7,8 @@
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -21,10 +23,10 @@ namespace tetproof::program {
 namespace {
 
 std::string version(const std::string& name, const Description& description) {
-  std::string text = fmt::format("{} {}\nfmt {}.{}.{}\nEigen {}.{}.{}\noneTBB {}.{}\nCLI11 {}\n", name, TETPROOF_VERSION,
-                                 FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, EIGEN_WORLD_VERSION,
-                                 EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, TBB_VERSION_MAJOR, TBB_VERSION_MINOR,
-                                 CLI11_VERSION);
+  std::string text = fmt::format("{} {}\nfmt {}.{}.{}\nEigen {}.{}.{}\noneTBB {}.{}\nCLI11 {}\n", name,
+                                 TETPROOF_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                                 FMT_VERSION % 100, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                 EIGEN_MINOR_VERSION, TBB_VERSION_MAJOR, TBB_VERSION_MINOR, CLI11_VERSION);
   for (const std::string& library : description.libraries) text += library + "\n";
   text.pop_back();
   return text;
@@ -58,7 +60,8 @@ int run(int argc, char** argv, const Description& description,
     CLI::App app{description.purpose, name};
     app.formatter(std::make_shared<ExamplesFirst>(description.examples));
     app.option_defaults()->always_capture_default();
-    app.set_version_flag("--version", version(name, description), "print this program's and its libraries' versions");
+    app.set_version_flag("--version", version(name, description),
+                         "print this program's and its libraries' versions");
     Common common;
     const std::function<int()> work = declare(app, common);
     app.add_option("--json", common.json, "write the result as JSON to FILE; - is standard output")
@@ -94,6 +97,50 @@ int run(int argc, char** argv, const Description& description,
 
 void say(const Common& common, const std::string& line) {
   if (!common.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
+    : shares_(std::move(shares)), start_(std::chrono::steady_clock::now()) {
+  if (!common.quiet && ::isatty(STDERR_FILENO)) line_ = std::thread([this] { show(); });
+}
+
+void Progress::enter(std::string_view phase) {
+  const std::lock_guard lock(mutex_);
+  phase_ = phase;
+  done_ = 0;
+  for (const auto& [name, share] : shares_) {
+    if (name == phase) break;
+    done_ += share;
+  }
+}
+
+void Progress::end() {
+  if (!line_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_one();
+  line_.join();
+}
+
+void Progress::show() {
+  using namespace std::chrono_literals;
+  bool shown = false;
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, shown ? 250ms : 2000ms, [&] { return ended_; })) {
+    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    // Early on the estimate would be mostly the shares' own error.
+    const std::string rest =
+        done_ >= 0.1 && done_ < 1 ? fmt::format(", about {:.0f} s left", so_far / done_ - so_far) : "";
+    fmt::print(stderr, "\r\x1b[K{}: {:.0f} s{}", phase_, so_far, rest);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) {
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
 }
 
 void write_text(const std::string& path, const std::string& text) {

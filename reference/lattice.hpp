@@ -63,8 +63,8 @@ inline constexpr std::array<int, 6> kuhn_signs{1, -1, -1, 1, 1, -1};
 
 /// The lattice of a surface's box, scaled about its centre by `box_scale` > 1 (reading D1). `cells` gives
 /// three numbers, or one along the longest side and zeros: then the others follow so that the cells come
-/// closest to cubes. Throws InputError if a number is out of range, the lattice has more than 4e8 vertices,
-/// or its planes coincide in double precision.
+/// closest to cubes. Throws InputError if a number is out of range, the box is not between 1e-90 and 1e90
+/// long, the lattice has more than 4e8 vertices, or its planes coincide in double precision.
 Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, double box_scale);
 
 }  // namespace tetproof::reference

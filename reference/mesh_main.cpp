@@ -66,7 +66,7 @@ void declare_options(CLI::App& app, Arguments& a) {
       ->type_name("0");
   app.add_option("--voxels", a.voxels,
                  "voxels along the longest side for the independent volume account; 0: without")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 1024))
       ->type_name("N");
   app.add_flag("--ascii", a.ascii, "write text where the format has both");
   app.add_flag("--binary", a.binary, "write binary where the format has both")->excludes("--ascii");
@@ -94,6 +94,12 @@ std::array<int, 3> parse_cells(const std::string& text) {
         "--cells: expected one positive number or three, as in 24 or 24,12,12, found '{}'", text));
   return cells;
 }
+
+// What part of the whole time each phase takes, measured on ct_skull.off with a million tetrahedra.
+const std::vector<std::pair<std::string, double>> phase_shares{
+    {"reading", 0.02},       {"judging the surface", 0.15}, {"contacts", 0.12},
+    {"intersections", 0.04}, {"indicators", 0.02},          {"extraction", 0.14},
+    {"positivity", 0.01},    {"verification", 0.42},        {"writing", 0.08}};
 
 // Wall time of named phases, one after the other.
 class Stopwatch {
@@ -180,13 +186,18 @@ int mesh(const Arguments& a, const program::Common& common) {
   check_creatable(a.grid);
 
   Stopwatch watch;
+  program::Progress progress(common, phase_shares);
+  const auto enter = [&](std::string_view phase) {
+    watch.enter(phase);
+    progress.enter(phase);
+  };
   reference::Options options = a.options;
   options.cells = parse_cells(a.cells);
-  options.phase = [&](std::string_view name) { watch.enter(name); };
+  options.phase = enter;
 
-  watch.enter("reading");
+  enter("reading");
   const TriangleSurface surface = corpus::open_surface(a.surface);
-  watch.enter("judging the surface");
+  enter("judging the surface");
   const verify::JudgedSurface judged_surface(surface);
   const verify::SurfaceReport& judged = judged_surface.report();
   if (!judged.fault.empty()) throw InputError(a.surface + ": " + judged.fault);
@@ -197,7 +208,7 @@ int mesh(const Arguments& a, const program::Common& common) {
     program::say(common,
                  "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
 
-  watch.enter("verification");
+  enter("verification");
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();
   const verify::Report report =
       verify::verify(made.grid.mesh, judged_surface,
@@ -206,10 +217,11 @@ int mesh(const Arguments& a, const program::Common& common) {
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),
                       .voxels = a.voxels,
                       .timings = a.timings});
-  watch.enter("writing");
+  enter("writing");
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
   write_document(a.grid, document_of(made.grid.mesh), write);
+  progress.end();
   const auto& seconds = watch.stop();
 
   if (common.json != "-")

@@ -131,26 +131,31 @@ void check_against_surface(Judgement& j, const MeshVolumes& volumes, const Trian
                fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
                            *report.volume.mesh, std::abs(difference), difference < 0 ? "less" : "more"));
   }
-  if (j.options.voxels == 0) {
+  if (j.options.voxels == 0) j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+  if (!j.wants(Check::volume_voxel)) return;
+  VoxelVolume voxels;
+  try {
+    voxels = voxel_volume(surface, j.options.voxels);
+  } catch (const VoxelRangeError& error) {
     j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
-  } else if (j.wants(Check::volume_voxel)) {
-    const VoxelVolume voxels = voxel_volume(surface, j.options.voxels);
-    report.volume.voxel_inside = voxels.inside;
-    report.volume.voxel_error_bound = voxels.error_bound;
-    if (j.options.voxels / 2 >= least_voxels)
-      report.volume.voxel_error_estimate =
-          std::abs(voxels.inside - voxel_volume(surface, j.options.voxels / 2).inside);
-    const double apart =
-        std::abs(*report.volume.mesh - (outside ? outer_volume - voxels.inside : voxels.inside));
-    CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_voxel)];
-    result.measured = apart;
-    result.allowed = allowed;
-    if (apart > allowed && apart <= allowed + voxels.error_bound) result.verdict = Verdict::undecided;
-    j[Check::volume_voxel] = one_if(apart > allowed + voxels.error_bound,
-                                    fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed "
-                                                "{:.6g} and the voxels' error of at most {:.6g}",
-                                                apart, allowed, voxels.error_bound));
+    report.notes.push_back(fmt::format("no voxel account: {}", error.what()));
+    return;
   }
+  report.volume.voxel_inside = voxels.inside;
+  report.volume.voxel_error_bound = voxels.error_bound;
+  if (j.options.voxels / 2 >= least_voxels)
+    report.volume.voxel_error_estimate =
+        std::abs(voxels.inside - voxel_volume(surface, j.options.voxels / 2).inside);
+  const double apart =
+      std::abs(*report.volume.mesh - (outside ? outer_volume - voxels.inside : voxels.inside));
+  CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_voxel)];
+  result.measured = apart;
+  result.allowed = allowed;
+  if (apart > allowed && apart <= allowed + voxels.error_bound) result.verdict = Verdict::undecided;
+  j[Check::volume_voxel] = one_if(apart > allowed + voxels.error_bound,
+                                  fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed "
+                                              "{:.6g} and the voxels' error of at most {:.6g}",
+                                              apart, allowed, voxels.error_bound));
 }
 
 }  // namespace tetproof::verify

@@ -81,7 +81,7 @@ VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side) 
     }
   const double side = (high - low).maxCoeff();
   if (!(side >= 1e-90 && side <= 1e90))
-    throw InputError(
+    throw VoxelRangeError(
         fmt::format("the longest side of the surface's box is {}, expected 1e-90 to 1e90", side));
   int exponent;
   const double digits = std::frexp(side / along_longest_side, &exponent);
@@ -91,7 +91,7 @@ VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side) 
     const double phase = VoxelLattice::phase[axis] / 32.0;
     const double below = std::floor(low[axis] / h - phase), above = std::floor(high[axis] / h - phase);
     if (std::max(-below, above) > 1e10)
-      throw InputError(
+      throw VoxelRangeError(
           fmt::format("the surface is too far from the origin for {} voxels along its longest side ({})",
                       along_longest_side, side));
     lattice.first[axis] = static_cast<std::int64_t>(below) - 1;

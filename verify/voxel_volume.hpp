@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "io/error.hpp"
 #include "io/triangle_surface.hpp"
 
 namespace tetproof::verify {
@@ -38,6 +39,11 @@ struct VoxelVolume {
 /// centre is: hence the bound. The difference to the account with half as many voxels is an estimate of the
 /// error beside it. Same result for any number of threads, any numbering and any orientation.
 ///
+/// Doubles cannot lay these voxels: the surface is too large, too small or too far from the origin for them.
+struct VoxelRangeError : InputError {
+  using InputError::InputError;
+};
+
 /// The surface must be closed (`judge_surface`). InputError if a row shows that it is not, if it is empty,
 /// not finite or flat as a point, lies more than 1e10 voxels from the origin, or if the number of voxels is
 /// outside [least_voxels, most_voxels]. Memory: 2 bits a voxel while working, less after (34 MB with 512

@@ -149,6 +149,24 @@ TEST(Mesh, AnEmptyGridIsSaid) {
       HasSubstr("the grid is empty: the surface is thinner than the lattice everywhere; use more --cells"));
 }
 
+TEST(Mesh, FarFromTheOriginItGoesWithoutVoxels) {
+  const ScratchFolder folder;
+  const Outcome run = mesh({"box:x0=999999999996,x1=1e12,y0=0,y1=4,z0=0,z1=4", "-o", folder / "g.msh"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_THAT(run.out, HasSubstr("no voxel account: the surface is too far from the origin"));
+}
+
+TEST(Mesh, ATerminalSeesProgressAndAnEstimate) {
+  if (!have_tool("script")) GTEST_SKIP() << "script, of bsdutils, is not installed";
+  const ScratchFolder folder;
+  const std::string command =
+      program("tetproof-mesh") + " sphere -o " + (folder / "g.msh") + " --binary --cells 150";
+  const Outcome shown = run_program({"script", "-qec", command, "/dev/null"}, {.timeout_s = 600});
+  EXPECT_EQ(shown.exit_code, 0) << shown;
+  EXPECT_THAT(shown.out, testing::ContainsRegex("[a-z]+: [0-9]+ s, about [0-9]+ s left"));
+  EXPECT_THAT(shown.out, HasSubstr("\r\x1b[K"));
+}
+
 TEST(Mesh, LiteralReportsWhatRoundingDid) {
   const ScratchFolder folder;
   // Lattice planes come out beside the cube's faces by rounding: cuts next to vertices.

@@ -123,6 +123,8 @@ TEST(Lattice, RefusesWhatItCannotUse) {
   EXPECT_EQ(refusal(surface_with_box({big, 0, 0}, {big + 4, 1, 1}), {24, 2, 2}, 1.2),
             "the surface's box, 10000000000000000 .. 10000000000000004 along x, cannot be told apart into 24 "
             "cells in double precision");
+  EXPECT_EQ(refusal(surface_with_box({0, 0, 0}, {1e100, 1, 1}), {4, 0, 0}, 1.2),
+            "the longest side of the surface's box is 1e+100, expected 1e-90 to 1e90");
   EXPECT_EQ(refusal(TriangleSurface{}, {4, 4, 4}, 1.2), "the surface has no triangles");
 }
 
