@@ -16,6 +16,11 @@ using testing::HasSubstr;
 const std::string shipped = TETPROOF_SOURCE_DIR "/corpus/surfaces/";
 const std::string shared = TETPROOF_SOURCE_DIR "/../shared/surfaces/";
 
+// A surface of the collection, or the project's own copy of it where there is one.
+std::string collected(const std::string& file) {
+  return std::filesystem::exists(shared + file) ? shared + file : shipped + file;
+}
+
 Outcome mesh(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), program("tetproof-mesh"));
   return run_program(arguments, {.timeout_s = 600});
@@ -36,11 +41,11 @@ class CleanSurfaces : public testing::TestWithParam<std::tuple<Surface, const ch
 
 TEST_P(CleanSurfaces, GiveACertifiedGrid) {
   const auto& [surface, cells, region] = GetParam();
-  if (!std::filesystem::exists(shared + surface.file))
-    GTEST_SKIP() << "no ../shared/surfaces beside the project";
+  const std::string file = collected(surface.file);
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "neither ../shared/surfaces nor corpus/surfaces has it";
   const ScratchFolder folder;
-  const Outcome run = mesh({shared + surface.file, "-o", folder / "grid.msh", "--binary", "--cells", cells,
-                            "--region", region, "--json", "-"});
+  const Outcome run = mesh(
+      {file, "-o", folder / "grid.msh", "--binary", "--cells", cells, "--region", region, "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run;
   const json report = json::parse(run.out);
   EXPECT_EQ(report["verdict"], "sound");
@@ -67,24 +72,24 @@ struct Bad {
   const char* says;
 };
 const Bad bad[] = {
-    {"open", shared + "sphereWithHole.stl", "the surface is open: 9 edges have one triangle (first: "},
-    {"crossing", shared + "self_intersectA.obj",
+    {"open", "sphereWithHole.stl", "the surface is open: 9 edges have one triangle (first: "},
+    {"crossing", "self_intersectA.obj",
      "the surface intersects itself: 338 pairs of triangles meet (first: "},
-    {"touching", shared + "shared.STL",
-     "the surface is not manifold: 1 edge has more than two triangles (first: "},
-    {"turned", shared + "simpleCar.stl",
+    {"touching", "shared.STL", "the surface is not manifold: 1 edge has more than two triangles (first: "},
+    {"turned", "simpleCar.stl",
      "the surface is not consistently oriented: component 0 (3142 triangles from 0, volume -2.449"},
-    {"everything", shared + "hat_skull.stl", "the surface is open: 84 edges have one triangle (first: "},
+    {"everything", "hat_skull.stl", "the surface is open: 84 edges have one triangle (first: "},
 };
 class BadSurfaces : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadSurfaces, AreRefusedInOneLine) {
-  if (!std::filesystem::exists(GetParam().file)) GTEST_SKIP() << "no ../shared/surfaces beside the project";
+  const std::string file = collected(GetParam().file);
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "neither ../shared/surfaces nor corpus/surfaces has it";
   const ScratchFolder folder;
-  const Outcome run = mesh({GetParam().file, "-o", folder / "grid.msh"});
+  const Outcome run = mesh({file, "-o", folder / "grid.msh"});
   EXPECT_EQ(run.exit_code, 2) << run;
   EXPECT_EQ(lines(run.err), 1u) << run;
-  EXPECT_THAT(run.err, HasSubstr(GetParam().file + ": " + GetParam().says));
+  EXPECT_THAT(run.err, HasSubstr(file + ": " + GetParam().says));
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(folder.names().empty());
 }
