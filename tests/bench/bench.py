@@ -147,8 +147,10 @@ class Bench:
         self.command("convert", self.ours("tetproof-convert"), "skull.msh", "checked.node").run(self.cores)
         threads = len(self.cores)
         commands = [
-            self.command("tetproof-verify", self.ours("tetproof-verify"), "skull.msh", "--threads", threads, "--json", "verify.json"),
-            self.command("tetproof-verify, 1 thread", self.ours("tetproof-verify"), "skull.msh", "--threads", 1, "--json", "verify1.json"),
+            self.command("tetproof-verify", self.ours("tetproof-verify"), "skull.msh", "--threads", threads),
+            self.command("tetproof-verify, 1 thread", self.ours("tetproof-verify"), "skull.msh", "--threads", 1),
+            self.command("tetproof-verify --json, angles measured too", self.ours("tetproof-verify"), "skull.msh", "--threads", threads,
+                         "--json", "verify.json"),
             self.command("tetproof-verify of .node/.ele", self.ours("tetproof-verify"), "checked.node", "--threads", threads),
             self.command("tetgen -rC", "tetgen", "-rC", "checked.node"),
             self.command("tetgen -rCNEF, which writes nothing", "tetgen", "-rCNEF", "checked.node"),
