@@ -53,7 +53,9 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
   const auto keep_case_5 = [&](const Eigen::Vector3d& centroid) {
     if (options.literal) return true;
     std::call_once(once, [&] { inside_test = std::make_unique<InsideTest>(lattice, surface); });
-    return (*inside_test)(centroid) == (options.region == Region::inside ? 1 : -1);
+    const bool inside_solid =
+        (*inside_test)(centroid) > 0;  // on the surface: outside, so that one of the two grids has it
+    return inside_solid == (options.region == Region::inside);
   };
 
   for (;;) {
