@@ -124,24 +124,30 @@ using Record = std::variant<Settings, Lattice, Indicators, Moved, Cut, Rows, Map
                             Insertion, Flip, End>;
 
 /// One line of the file, without its line end. Doubles are written with the fewest digits that read back
-/// equal.
+/// equal; std::logic_error for one that is not finite.
 std::string to_line(const Record& record);
+
+/// What the format calls this kind of record: "first_grid".
+const char* name_of(const Record& record);
 
 /// Reads a trace record by record.
 class Reader {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit Reader(const std::string& path);
-  /// The next record, nothing at the end. Unknown kinds of records and unknown keys are skipped. Throws
-  /// InputError
-  /// ("FILE:LINE: expected ..., found ...") for a line that is not a record.
+  /// The next record, nothing at the end. Unknown kinds of records, unknown keys and empty lines are skipped.
+  /// Throws InputError ("FILE:LINE: expected ..., found ...") for a line that is not a record; holds one line
+  /// at a time, and none of more than 8 MiB.
   std::optional<Record> next();
   std::int64_t line() const { return line_; }  ///< of the record read last, from 1
   const std::string& path() const { return path_; }
 
  private:
   std::string path_;
+  bool read_line();
+
   std::ifstream file_;
+  std::string text_;
   std::int64_t line_ = 0;
 };
 
