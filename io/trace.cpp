@@ -171,8 +171,8 @@ class Fields {
     first = both[0], second = both[1];
   }
   [[noreturn]] void fail(const char* key, const std::string& expected, const std::string& found) const {
-    throw InputError(fmt::format("{}: expected {} as the \"{}\" of this {}, found {}", place_, expected, key,
-                                 name_, found));
+    throw InputError(fmt::format("{}: expected {} as \"{}\" of the {} record, found {}", place_, expected,
+                                 key, name_, found));
   }
 
  private:
@@ -180,7 +180,8 @@ class Fields {
     const auto found = record_.find(key);
     if (found != record_.end()) return &*found;
     if (!optional)
-      throw InputError(fmt::format("{}: expected a key \"{}\" in this {}, found none", place_, key, name_));
+      throw InputError(
+          fmt::format("{}: expected a key \"{}\" in the {} record, found none", place_, key, name_));
     return nullptr;
   }
 
