@@ -44,7 +44,8 @@ class Extraction {
         settled_(settled),
         diagonals_(diagonals),
         keep_case_5_(keep_case_5),
-        marks_(lattice.vertices() + indicators.cuts.points.size(), 0) {
+        marks_(lattice.vertices() + indicators.cuts.points.size(), 0),
+        lattice_rows_(lattice.tets(), case_1) {
     for (int bits = 0; bits < 8; ++bits) offsets_[bits] = lattice.offset(bits);
   }
 
@@ -87,6 +88,7 @@ class Extraction {
     const SortedVertices sorted =
         sort_vertices({sign[corners[0]], sign[corners[1]], sign[corners[2]], sign[corners[3]]});
     int row = sorted.first_row;
+    lattice_rows_[number] = static_cast<std::uint8_t>(row);
     if (table2[row].size == 0) {
       ++layer.rows[row];
       return;
@@ -94,12 +96,15 @@ class Extraction {
     LatticeTet tet{base, &corners, sorted, {}};
     for (int v = 0; v < 4; ++v) tet.name[v] = base + offsets_[corners[sorted.order[v]]];
     if (row == case_5 && !keep_case_5_(0.25 * (place(tet.name[0]) + place(tet.name[1]) + place(tet.name[2]) +
-                                               place(tet.name[3]))))
+                                               place(tet.name[3])))) {
+      lattice_rows_[number] = Grid::case_5_dropped;
       return;
+    }
     for (int p = 0; p < 6; ++p)
       if (table1_possible(row, p)) tet.name[p12 + p] = cut(tet, p);
     row = choose_row(row, diagonals(tet));
     ++layer.rows[row];
+    lattice_rows_[number] = static_cast<std::uint8_t>(row);
     if (table2[row].size == 8) {
       tet.name[c] = -1 - static_cast<Index>(layer.centroids.size());
       Vector3d sum = Vector3d::Zero();
@@ -235,6 +240,7 @@ class Extraction {
       }
       layers[k] = {};
     });
+    grid.lattice_rows = std::move(lattice_rows_);
     return grid;
   }
 
@@ -244,6 +250,7 @@ class Extraction {
   Diagonals diagonals_;
   const std::function<bool(const Vector3d&)>& keep_case_5_;
   std::vector<std::uint8_t> marks_;
+  std::vector<std::uint8_t> lattice_rows_;
   std::array<Vertex, 8> offsets_;
 };
 

@@ -24,6 +24,9 @@ struct Grid {
       sources;  ///< of each point: its lattice vertex, the number of its cut, or its lattice tetrahedron
   std::vector<std::uint8_t> on_surface;    ///< of each point: is it a surface point in the paper's sense
   std::vector<std::uint32_t> lattice_tet;  ///< of each tetrahedron: 6 * cell + its place in `kuhn_tets`
+  static constexpr std::uint8_t case_5_dropped = 255;
+  std::vector<std::uint8_t> lattice_rows;  ///< of each lattice tetrahedron its row in `tables::table2`, or
+                                           ///< `case_5_dropped` (reading D10)
   std::array<std::int64_t, tables::table2.size()> rows{};  ///< how often each row of Table 2 was used
   std::int64_t collapsed =
       0;  ///< tetrahedra dropped because a cut at an end point made two of their vertices one (reading D7)

@@ -15,6 +15,7 @@
 #include "reference/inside.hpp"
 #include "reference/intersections.hpp"
 #include "reference/mend.hpp"
+#include "reference/trace_records.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -24,6 +25,7 @@ void check(const Options& options) {
     throw InputError(
         fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}",
                     options.on_surface));
+  if (options.adapt) check(*options.adapt);
 }
 
 }  // namespace
@@ -32,8 +34,9 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
   check(options);
   const double tolerance = options.literal ? 0 : options.on_surface;
   const auto phase = [&](std::string_view name) {
-    if (options.phase) options.phase(name);
+    if (options.listener.phase) options.listener.phase(name);
   };
+  const Recorder& record = options.listener.record;
 
   phase("lattice");
   const Lattice lattice = make_lattice(surface, options.cells, options.box_scale);  // (i), eq. 2.1
@@ -47,6 +50,7 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
   const std::vector<std::int8_t> inside = inside_by_parity(lattice, surface);
 
   Generation result;
+  std::vector<Vertex> mended;  // because rounding had inverted a tetrahedron
   result.moved_to_surface = static_cast<std::int64_t>(settled.vertices.size());
   std::unique_ptr<InsideTest> inside_test;
   std::once_flag once;  // few surfaces have a case 5
@@ -80,14 +84,36 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
     phase("positivity");
     const std::vector<Index> bad = not_positive(result.grid.mesh);
     result.not_positive = static_cast<std::int64_t>(bad.size());
-    if (bad.empty() || options.literal) break;
-    const std::vector<NearVertex> mended =
-        vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
-    if (mended.empty()) break;  // nothing is cut beside it: the verdict will name it
-    result.mended += static_cast<std::int64_t>(mended.size());
-    settled.add(mended);
+    std::vector<NearVertex> to_mend;
+    if (!bad.empty() && !options.literal)
+      to_mend = vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
+    if (to_mend.empty()) {  // or nothing is cut beside a bad one: the verdict will name it
+      if (record) {
+        record_lattice(lattice, record);
+        record_characterization(lattice, indicators, settled, mended, record);
+        record_rows(lattice, result.grid, record);
+      }
+      break;
+    }
+    for (const NearVertex& near : to_mend) mended.push_back(near.vertex);
+    settled.add(to_mend);
   }
+  result.mended = std::ssize(mended);
   result.lattice = lattice;
+
+  std::unique_ptr<TrueSurface> true_surface;
+  if (options.parametric && surface.evaluate && result.not_positive == 0) {
+    phase("parametric surface");
+    true_surface = std::make_unique<TrueSurface>(surface);
+    const std::vector<MappedPoint> mapped = move_surface_points(result.grid, *true_surface);
+    result.mapped = std::count_if(mapped.begin(), mapped.end(), [](const MappedPoint& m) { return m.moved; });
+    result.not_mapped = std::ssize(mapped) - result.mapped;
+    if (record) record_mapped(mapped, record);
+  }
+  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0)
+    result.adaptation =
+        adapt(result.grid, surface, *options.adapt, true_surface.get(), options.listener);  // (v), (vi)
+  if (record) record(end_of(result));
   return result;
 }
 

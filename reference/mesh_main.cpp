@@ -193,7 +193,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   };
   reference::Options options = a.options;
   options.cells = parse_cells(a.cells);
-  options.phase = enter;
+  options.listener.phase = enter;
 
   enter("reading");
   const TriangleSurface surface = corpus::open_surface(a.surface);

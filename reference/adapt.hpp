@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps (v) and (vi): the grid adapts to distance and curvature, and is improved where that hurt.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "io/trace.hpp"
+#include "reference/improve.hpp"
+#include "reference/parametric.hpp"
+
+namespace tetproof::reference {
+
+/// A volume, in multiples of the first grid's mean volume or absolute [length^3] (reading D13).
+struct VolumeSetting {
+  double value;
+  bool absolute = false;
+};
+
+struct AdaptOptions {
+  static constexpr std::int64_t automatic = -1;
+  std::int64_t points = automatic;  ///< to insert at most; automatic: until no split lowers E_avg
+  VolumeSetting v0{0.2}, v1{2};     ///< eq. (3.1), positive
+  double d1 = 0;               ///< eq. (3.1) [length]; 0: the largest d_i of the first grid (reading D13)
+  double p = 1;                ///< eq. (3.1), positive
+  VolumeSetting e_avg{0};      ///< stop when E_avg is not above this (reading D17)
+  bool past_dilution = false;  ///< do not stop at reading D17's second rule; needs a number of points
+  bool curvature = false;      ///< weight the distance, eq. (3.6)
+  Criterion improve = Criterion::solid_angle;
+  double improve_below =
+      0.002;  ///< solid angle, of 1 (4 pi), that makes an improvement necessary (reading D21)
+  bool check_every_step = false;  ///< all invariants after every step: quadratic time, for tests
+};
+
+/// Throws InputError for options out of range.
+void check(const AdaptOptions& options);
+
+enum class Stop { no_gain, dilution, stalled, points, e_avg };
+std::string_view name_of(Stop stop);
+
+struct Adaptation {
+  TetMesh mesh;  ///< points of the first grid, then the new ones; tetrahedra by number
+  std::vector<std::uint8_t> on_surface;  ///< of each point
+  VolumeLaw law{};                       ///< as used, absolute
+  double mean_volume = 0;                ///< of the first grid [length^3]
+  double kappa_min = 0, kappa_max = 0;   ///< with curvature
+  double kappa_outlier_ratio = 1;        ///< with curvature: kappa_max over the 99th percentile (reading D15)
+  double e_avg_first = 0, e_avg_last = 0;
+  std::int64_t insertions = 0, refused = 0, flips = 0;
+  std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
+  Stop stopped = Stop::no_gain;
+};
+
+/// What is told on the way; any of them may be empty.
+struct Listener {
+  std::function<void(std::string_view)> phase;       ///< the name of each phase as it begins
+  std::function<void(const trace::Record&)> record;  ///< every decision, for the trace
+  std::function<void(const WeightedGrid&)>
+      after_step;  ///< the first grid, and the grid after each insertion and its flips
+};
+
+/// The first grid with its weights and the law of volumes, ready for step (vi). `weighting` gets the law.
+struct Prepared {
+  WeightedGrid grid;
+  double mean_volume;
+};
+Prepared weigh_grid(const Grid& grid, Weighting& weighting, const AdaptOptions& options,
+                    const TrueSurface* true_surface, const Listener& listener);
+
+/// Steps (v) and (vi) on the grid of steps (i) to (iv). `true_surface` may be null. The grid must not be
+/// empty, and be positive throughout. Throws InputError for options out of range, or volumes that ask for
+/// more than 2e8 tetrahedra.
+Adaptation adapt(const Grid& grid, const TriangleSurface& surface, const AdaptOptions& options,
+                 const TrueSurface* true_surface, const Listener& listener);
+
+/// The set O_i of section 4 after a split: its pieces (from number `first` on) and the face neighbours that
+/// the tetrahedron had. Empty if no piece has a solid angle below the tolerance, or nothing is to be improved
+/// (reading D21).
+std::vector<Index> set_to_improve(const WeightedGrid& grid, const std::array<Index, 4>& neighbours,
+                                  Index first, const AdaptOptions& options);
+std::array<Index, 4> neighbours_of(const Triangulation& grid, Index tet);
+
+/// Throws std::logic_error, with what was expected and found, unless every tetrahedron is exactly positive,
+/// every face is shared by at most two with opposite orientation, and E_avg as maintained is E_avg recomputed
+/// (to 1e-12).
+void check_invariants(const WeightedGrid& grid);
+
+}  // namespace tetproof::reference
