@@ -167,6 +167,7 @@ Adaptation adapt(const Grid& first_grid, const TriangleSurface& surface, const A
   auto [grid, mean_volume] = weigh_grid(first_grid, weighting, options, true_surface, listener);  // (v)
   Adaptation result{.law = weighting.law(),
                     .mean_volume = mean_volume,
+                    .with_curvature = options.curvature,
                     .kappa_min = weighting.kappa_min(),
                     .kappa_max = weighting.kappa_max(),
                     .kappa_outlier_ratio = outlier_ratio(weighting.kappas()),

@@ -43,8 +43,9 @@ struct Adaptation {
   std::vector<std::uint8_t> on_surface;  ///< of each point
   VolumeLaw law{};                       ///< as used, absolute
   double mean_volume = 0;                ///< of the first grid [length^3]
-  double kappa_min = 0, kappa_max = 0;   ///< with curvature
-  double kappa_outlier_ratio = 1;        ///< with curvature: kappa_max over the 99th percentile (reading D15)
+  bool with_curvature = false;
+  double kappa_min = 0, kappa_max = 0;  ///< with curvature [1/length]
+  double kappa_outlier_ratio = 1;       ///< with curvature: kappa_max over the 99th percentile (reading D15)
   double e_avg_first = 0, e_avg_last = 0;
   std::int64_t insertions = 0, refused = 0, flips = 0;
   std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
