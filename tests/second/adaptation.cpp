@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step (vi): the insertion of points by eqs (3.4), (3.5) and Table 4.
+#include <algorithm>
+#include <stdexcept>
+
+#include "tests/second/section3.hpp"
+
+namespace tetproof::second {
+namespace {
+
+using Tet = std::array<int, 4>;
+
+template <std::size_t N>
+std::array<int, N> sorted(std::array<int, N> v) {
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+// All faces, all edges of a tetrahedron, as positions in it.
+constexpr std::array<std::array<int, 3>, 4> face_positions{{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+constexpr std::array<std::array<int, 2>, 6> edge_positions{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+}  // namespace
+
+Adaptation::Adaptation(const TriangleSurface& surface, const Grid& grid, const Settings& settings)
+    : surface_(surface), settings_(settings), points_(grid.points) {
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    if (grid.on_surface[p]) surface_points_.insert(static_cast<int>(p));
+  law_ = {.v0 = 1, .v1 = 1, .d1 = 1, .p = settings.p};  // until the first grid has told its own
+  for (const Tet& tet : grid.tets) add(tet);
+}
+
+Corners Adaptation::corners(const Tet& v) const {
+  return {points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]};
+}
+
+void Adaptation::add(const Tet& v) {
+  tets_[next_++] = {.v = v, .weight = weigh(surface_, corners(v), law_, settings_.mistake)};
+  for (const auto& [a, b, c] : face_positions) ++faces_[sorted(std::array{v[a], v[b], v[c]})];
+  for (const auto& [a, b] : edge_positions) ++edges_[sorted(std::array{v[a], v[b]})];
+}
+
+void Adaptation::remove(std::int64_t number) {
+  const Tet v = tets_.at(number).v;
+  tets_.erase(number);
+  for (const auto& [a, b, c] : face_positions) --faces_.at(sorted(std::array{v[a], v[b], v[c]}));
+  for (const auto& [a, b] : edge_positions) --edges_.at(sorted(std::array{v[a], v[b]}));
+}
+
+double Adaptation::sum() const {
+  long double sum = 0;
+  for (const auto& [number, tet] : tets_) sum += tet.weight.error;
+  return static_cast<double>(sum);
+}
+
+// Table 4 and what its split does to the sum of the errors.
+Split Adaptation::split_of(const Tet& v, double error) const {
+  const Mistake mistake = settings_.mistake;
+  std::vector<int> on_surface;
+  for (int i = 0; i < 4; ++i)
+    if (surface_points_.count(v[i])) on_surface.push_back(i);
+  const auto face_shared = [&](const std::array<int, 3>& f) {
+    return faces_.at(sorted(std::array{v[f[0]], v[f[1]], v[f[2]]})) > 1;
+  };
+  const auto edge_shared = [&](const std::array<int, 2>& e) {
+    return edges_.at(sorted(std::array{v[e[0]], v[e[1]]})) > 1;
+  };
+  const auto length = [&](const std::array<int, 2>& e) {
+    return (points_[v[e[1]]] - points_[v[e[0]]]).norm();
+  };
+  const auto area = [&](const std::array<int, 3>& f) {
+    return (points_[v[f[1]]] - points_[v[f[0]]]).cross(points_[v[f[2]]] - points_[v[f[0]]]).norm() / 2;
+  };
+
+  Split split{.row = std::to_string(on_surface.size()), .replaced = {0, 1, 2, 3}};
+  std::vector<std::array<int, 3>> free_faces;
+  for (const auto& f : face_positions)
+    if (!face_shared(f)) free_faces.push_back(f);
+  const auto use = [&](const auto& simplex) { split.replaced.assign(simplex.begin(), simplex.end()); };
+
+  if (on_surface.size() == 2) {
+    const std::array<int, 2> edge{on_surface[0], on_surface[1]};
+    split.row = edge_shared(edge) ? "2a" : "2b";
+    if (split.row == "2b") use(edge);
+  } else if (on_surface.size() == 3) {
+    const std::array<int, 3> face{on_surface[0], on_surface[1], on_surface[2]};
+    split.row = face_shared(face) || mistake == Mistake::row_3b_as_3a ? "3a" : "3b";
+    if (split.row == "3b") use(face);
+  } else if (on_surface.size() == 4) {
+    split.row = std::string("4") + "abcde"[free_faces.size()];
+    if (split.row == "4b") use(free_faces[0]);
+    if (free_faces.size() >= 2) {
+      std::vector<std::array<int, 2>> free_edges;
+      for (const auto& e : edge_positions) {
+        const auto has_edge = [&](const std::array<int, 3>& f) {
+          return std::count(f.begin(), f.end(), e[0]) && std::count(f.begin(), f.end(), e[1]);
+        };
+        const bool common = std::count_if(free_faces.begin(), free_faces.end(), has_edge) == 2;
+        if (!edge_shared(e) && (free_faces.size() > 2 || common)) free_edges.push_back(e);
+      }
+      if (mistake == Mistake::row_4c_on_face && split.row == "4c") free_edges.clear();
+      const auto names = [&](const auto& simplex) {  // the vertices' numbers, by which ties are settled
+        std::vector<int> numbers;
+        for (const int i : simplex) numbers.push_back(v[i]);
+        std::sort(numbers.begin(), numbers.end());
+        return numbers;
+      };
+      const auto largest = [&](const auto& simplices, const auto& size) {
+        return *std::min_element(simplices.begin(), simplices.end(), [&](const auto& a, const auto& b) {
+          return std::pair(-size(a), names(a)) < std::pair(-size(b), names(b));
+        });
+      };
+      if (!free_edges.empty())
+        use(largest(free_edges, length));
+      else
+        use(largest(free_faces, area));
+    }
+  }
+
+  split.on_surface = split.replaced.size() < 4 && mistake != Mistake::forgotten_surface_point;
+  split.point = Point(0, 0, 0);
+  for (const int i : split.replaced) split.point += points_[v[i]];
+  split.point /= static_cast<double>(split.replaced.size());
+  if (mistake == Mistake::skewed_centroid && split.replaced.size() == 3)
+    split.point = (split.point * 3 + points_[v[split.replaced[0]]]) / 4;
+
+  for (const int i : split.replaced) {
+    Corners piece = corners(v);
+    piece[i] = split.point;
+    split.change += weigh(surface_, piece, law_, mistake).error;
+  }
+  split.change -= error;
+  return split;
+}
+
+// Eq. (3.5) for every tetrahedron: the number of the one whose split makes E_avg smallest, if any lowers it.
+std::optional<std::int64_t> Adaptation::choose() {
+  const double s = sum(), l = static_cast<double>(tets_.size());
+  const auto pieces = [&](const Split& split) {
+    return settings_.mistake == Mistake::four_pieces ? 4.0 : static_cast<double>(split.replaced.size());
+  };
+  std::map<double, std::int64_t>
+      best;  // by the number of pieces, so that sums of like terms are compared (D16)
+  for (auto& [number, tet] : tets_) {
+    if (!tet.split || !settings_.remember_splits) tet.split = split_of(tet.v, tet.weight.error);
+    if (tet.refused) continue;
+    const auto [entry, first] = best.insert({pieces(*tet.split), number});
+    if (!first && tet.split->change < tets_.at(entry->second).split->change) entry->second = number;
+  }
+  std::optional<std::int64_t> chosen;
+  double least = s / l;
+  for (const auto& [m, number] : best) {
+    const double after = (s + tets_.at(number).split->change) / (l + m - 1);
+    if (after < least || (chosen && after == least && number < *chosen)) {
+      least = after;
+      chosen = number;
+    }
+  }
+  return chosen;
+}
+
+bool Adaptation::degenerates(const Tet& v, const Split& split) const {
+  for (const int i : split.replaced) {
+    Corners piece = corners(v);
+    piece[i] = split.point;
+    if (orientation(piece[0], piece[1], piece[2], piece[3]) <= 0) return true;
+  }
+  return false;
+}
+
+std::set<std::int64_t> Adaptation::insert(std::int64_t number) {
+  const Tet v = tets_.at(number).v;
+  const Split split = *tets_.at(number).split;
+  const int p = static_cast<int>(points_.size());
+  points_.push_back(split.point);
+  if (split.on_surface) surface_points_.insert(p);
+  remove(number);
+  std::set<std::int64_t> pieces;
+  for (const int i : split.replaced) {
+    Tet piece = v;
+    piece[i] = p;
+    pieces.insert(next_);
+    add(piece);
+  }
+  return pieces;
+}
+
+void Adaptation::weigh_first_grid(std::vector<trace::Record>& records) {
+  trace::FirstGrid first{.points = static_cast<std::int64_t>(points_.size()),
+                         .tets = static_cast<std::int64_t>(tets_.size())};
+  double volume = 0, farthest = 0;
+  for (const auto& [number, tet] : tets_) {
+    volume += signed_volume(corners(tet.v));
+    farthest = std::max(farthest, distance(surface_, corners(tet.v), settings_.mistake).first);
+  }
+  first.mean_volume = volume / static_cast<double>(tets_.size());
+  law_.v0 = first.v0 = settings_.v0_absolute.value_or(settings_.v0 * first.mean_volume);
+  law_.v1 = first.v1 = settings_.v1_absolute.value_or(settings_.v1 * first.mean_volume);
+  law_.d1 = first.d1 = settings_.d1.value_or(farthest);
+  if (settings_.curvature) {
+    law_.kappas = absolute_curvatures(surface_, settings_.mistake);
+    first.kappa_min = law_.kappa_min = *std::min_element(law_.kappas.begin(), law_.kappas.end());
+    first.kappa_max = law_.kappa_max = *std::max_element(law_.kappas.begin(), law_.kappas.end());
+  }
+  for (auto& [number, tet] : tets_) tet.weight = weigh(surface_, corners(tet.v), law_, settings_.mistake);
+  first.e_avg = average();
+  records.push_back(first);
+  for (const auto& [number, tet] : tets_) {
+    const Weight& w = tet.weight;
+    trace::Weight record{.tet = corners(tet.v),
+                         .d = w.d,
+                         .omega = w.omega,
+                         .volume = w.volume,
+                         .desired = w.desired,
+                         .error = w.error};
+    if (settings_.curvature) record.kappa = w.kappa;
+    records.push_back(record);
+  }
+}
+
+void Adaptation::run(std::vector<trace::Record>& records) {
+  std::string stopped = tets_.empty() ? "no-gain" : "";
+  if (settings_.insertions == 0) stopped = "not-asked";
+  if (stopped.empty()) weigh_first_grid(records);
+  double lowest = tets_.empty() ? 0 : average();
+  std::int64_t since_lowest = 0;
+  while (stopped.empty()) {
+    if (insertions_ == settings_.insertions) stopped = "points";
+    if (since_lowest >= std::max<std::int64_t>(1000, static_cast<std::int64_t>(tets_.size()) / 10))
+      stopped = "stalled";
+    if (!stopped.empty()) break;
+    const auto chosen = choose();
+    if (!chosen) {
+      stopped = "no-gain";
+      break;
+    }
+    Tetrahedron& tet = tets_.at(*chosen);
+    if (degenerates(tet.v, *tet.split)) {  // D18
+      tet.refused = true;
+      ++refused_;
+      continue;
+    }
+    if (tet.weight.volume <= tet.weight.desired && !settings_.past_dilution &&
+        settings_.mistake != Mistake::dilution_ignored) {
+      stopped = "dilution";
+      break;
+    }
+    const Tet replaced = tet.v;
+    trace::Insertion record{.n = ++insertions_,
+                            .tet = corners(replaced),
+                            .row = tet.split->row,
+                            .replaced = tet.split->replaced,
+                            .point = tet.split->point};
+    const std::set<std::int64_t> pieces = insert(*chosen);
+    record.e_avg = average();
+    records.push_back(record);
+    const bool bad = std::any_of(pieces.begin(), pieces.end(), [&](std::int64_t piece) {
+      return smallest_solid_angle(corners(tets_.at(piece).v)) < settings_.improve_below;
+    });
+    if (bad && settings_.improve != Quality::none) improve(surroundings(replaced, pieces), records);
+    const double now = average();
+    since_lowest = now < lowest ? 0 : since_lowest + 1;
+    lowest = std::min(lowest, now);
+  }
+  records.push_back(trace::End{.stopped = stopped,
+                               .insertions = insertions_,
+                               .flips = flips_,
+                               .refused = refused_,
+                               .points = static_cast<std::int64_t>(points_.size()),
+                               .tets = static_cast<std::int64_t>(tets_.size()),
+                               .e_avg = settings_.insertions == 0 || tets_.empty() ? 0 : average()});
+}
+
+TetMesh Adaptation::mesh() const {
+  TetMesh mesh{.points = points_};
+  for (const auto& [number, tet] : tets_) mesh.tets.push_back({tet.v[0], tet.v[1], tet.v[2], tet.v[3]});
+  return mesh;
+}
+
+}  // namespace tetproof::second
