@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps (i) to (iv) of two traces: settings, lattice, indicators, moved vertices, cuts, rows of Table 2,
+// mapped points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "verify/keyed_records.hpp"
+
+namespace tetproof::verify {
+
+/// What counts as the same.
+struct Tolerance {
+  double relative = 1e-9;
+  double length = 0;  ///< `relative` times the diagonal of the reference's lattice
+
+  bool same(const trace::Point& a, const trace::Point& b) const { return (a - b).norm() <= length; }
+  /// Two numbers, with the size of what they were computed from.
+  bool same(double a, double b, double scale = 0) const {
+    return a == b || std::abs(a - b) <= relative * std::max({std::abs(a), std::abs(b), std::abs(scale)});
+  }
+};
+
+/// The reference's steps (i) to (iv), and the comparison of the other's with them.
+class FirstSteps {
+ public:
+  /// Reads up to the first record of step (v).
+  FirstSteps(TraceStream& reference, double tolerance);
+
+  /// Reads the other trace as far and adds what differs. Notes say what is not compared because only one of
+  /// the two tells it.
+  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
+
+  const Tolerance& tolerance() const { return tolerance_; }
+  const trace::Settings& settings() const { return settings_; }
+
+ private:
+  template <class Take>
+  void read(TraceStream& stream, const Take& take);
+
+  Tolerance tolerance_;
+  trace::Settings settings_;
+  trace::Lattice lattice_;
+  std::int64_t settings_line_ = 0, lattice_line_ = 0;
+  KeyedRecords<std::array<int, 2>, trace::Indicators> indicators_{Step::indicators, true};
+  KeyedRecords<trace::LatticeVertex, trace::Moved> moved_{Step::moved};
+  KeyedRecords<std::array<int, 6>, trace::Cut> cuts_{Step::cut};
+  KeyedRecords<std::array<int, 3>, trace::Rows> rows_{Step::table2, true};
+  std::unique_ptr<PointIndex> from_;
+  KeyedRecords<std::array<int, 1>, trace::Mapped> mapped_{Step::mapped};
+};
+
+}  // namespace tetproof::verify

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/compare_insertions.hpp"
+
+#include <numbers>
+
+namespace tetproof::verify {
+namespace {
+
+using namespace trace;
+
+constexpr double tie = 1e-12;  // relative difference of E'avg up to which two choices are equally good
+
+// A flip by its points' numbers, however they are ordered.
+using FlipKey = std::array<int, 6>;
+
+struct Flipped {
+  Flip flip;
+  FlipKey key;
+  std::int64_t line;
+};
+
+// An insertion and the flips that follow it.
+struct Split {
+  Insertion insertion;
+  std::int64_t line;
+  TetKey tet;
+  std::vector<int> replaced;  // numbers of points, ascending
+  std::vector<Flipped> flips;
+
+  double e_avg() const { return flips.empty() ? insertion.e_avg : flips.back().flip.e_avg; }
+};
+
+std::string says(const Split& split) {
+  return fmt::format("splits {} by row {}, E'avg {}", text(split.insertion.tet), split.insertion.row,
+                     split.insertion.e_avg);
+}
+Says side(const Split& split) {
+  return {split.line, says(split), to_line(split.insertion)};
+}
+
+std::string place(const Split& split) {
+  const char* const simplex[] = {"edge", "face", "tetrahedron"};
+  std::string text = simplex[split.insertion.replaced.size() - 2];
+  for (const int i : split.insertion.replaced) text += " " + verify::text(split.insertion.tet[i]);
+  return text;
+}
+
+std::string says(const Flip& flip) {
+  return fmt::format("{} flip of the face {} {} {} and the edge {} {}", flip.two_to_three ? "2-3" : "3-2",
+                     text(flip.face[0]), text(flip.face[1]), text(flip.face[2]), text(flip.edge[0]),
+                     text(flip.edge[1]));
+}
+
+class Insertions {
+ public:
+  Insertions(TraceStream& other, TraceStream& reference, const Settings& settings, const Tolerance& tolerance,
+             FirstGrid& first, TraceComparison& result)
+      : other_(other),
+        reference_(reference),
+        settings_(settings),
+        tolerance_(tolerance),
+        points_(first.points()),
+        result_(result) {
+    if (first.summary()) scale_ = first.summary()->mean_volume;
+  }
+
+  void run() {
+    for (std::int64_t n = 1;; ++n) {
+      // The reference first: it says which points there are.
+      std::optional<Split> a = next(reference_, n), b = next(other_, n);
+      if (!a && !b) break;
+      if (!a || !b) return a ? one_ended(n, &*a, nullptr) : one_ended(n, nullptr, &*b);
+      const double before = drift_;
+      drift_ = a->e_avg() - b->e_avg();
+      if (std::abs(drift_) > tolerance_.relative * std::abs(a->e_avg())) drift_ = 0;
+      if (!step(n, std::move(*a), std::move(*b), before)) return;
+    }
+    if (!waiting_.empty()) return parted_at_a_tie();
+    ends();
+  }
+
+ private:
+  // Insertion n with its flips; nothing at the end of the insertions.
+  std::optional<Split> next(TraceStream& stream, std::int64_t n) {
+    const auto* insertion = stream.next_is<Insertion>();
+    if (!insertion) {
+      if (stream.next() && !stream.next_is<End>()) stream.fail("insertion or end");
+      return std::nullopt;
+    }
+    if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
+    Split split{*insertion, stream.line(), {}, {}, {}};
+    std::array<int, 4> corners;
+    for (int i = 0; i < 4; ++i) corners[i] = points_.find_or_add(insertion->tet[i]);
+    points_.find_or_add(insertion->point);
+    split.tet = sorted(corners);
+    for (const int i : insertion->replaced) split.replaced.push_back(corners[i]);
+    std::sort(split.replaced.begin(), split.replaced.end());
+    for (stream.take(); const auto* flip = stream.next_is<Flip>(); stream.take()) {
+      FlipKey key{};
+      for (int i = 0; i < 3; ++i) key[i] = points_.find_or_add(flip->face[i]);
+      for (int i = 0; i < 2; ++i) key[3 + i] = points_.find_or_add(flip->edge[i]);
+      key[5] = flip->two_to_three;
+      std::sort(key.begin(), key.begin() + 3);
+      std::sort(key.begin() + 3, key.begin() + 5);
+      split.flips.push_back({*flip, key, stream.line()});
+    }
+    return split;
+  }
+
+  // False if the comparison ends here. `drift`: by how much the E_avg's differed before, which says nothing
+  // about the choice.
+  bool step(std::int64_t n, Split a, Split b, double drift) {
+    const double difference = a.insertion.e_avg - b.insertion.e_avg;
+    const double size = tie * std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg));
+    const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift) <= size;
+    if (waiting_.empty()) {
+      if (a.tet == b.tet) return same_tet(n, a, b, false);
+      if (!equally_good) return diverge(n, Step::choice, choice(n, a, b), side(a), side(b));
+      tie_ = {n, a, b};
+      group_ = 0;
+    } else if (!equally_good) {
+      parted_at_a_tie();
+      return false;
+    }
+    // Within a tie the same splits may come in another order: each waits for its partner.
+    ++group_;
+    if (!meet(n, std::move(a), true) || !meet(n, std::move(b), false)) return false;
+    if (waiting_.empty()) result_.reordered += group_;
+    return true;
+  }
+
+  bool meet(std::int64_t n, Split split, bool of_reference) {
+    const auto found = waiting_.find(split.tet);
+    if (found == waiting_.end()) {
+      const TetKey tet = split.tet;
+      waiting_.emplace(tet, std::pair{of_reference, std::move(split)});
+      return true;
+    }
+    if (found->second.first == of_reference) {  // no trace splits a tetrahedron twice
+      const TraceStream& stream = of_reference ? reference_ : other_;
+      throw InputError(
+          fmt::format("{}:{}: expected a tetrahedron that is there, found the one split in line {}",
+                      stream.path(), split.line, found->second.second.line));
+    }
+    const Split earlier = std::move(found->second.second);
+    waiting_.erase(found);
+    return of_reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
+  }
+
+  // Both split the same tetrahedron: also in the same way?
+  bool same_tet(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
+    const std::string both =
+        fmt::format("insertion {}: both split the tetrahedron at {}", n, at(a.insertion.tet));
+    if (a.insertion.row != b.insertion.row)
+      return diverge(n, Step::table4,
+                     fmt::format("{}, reference by row {} of Table 4, other by row {}", both, a.insertion.row,
+                                 b.insertion.row),
+                     side(a), side(b));
+    if (a.replaced != b.replaced)
+      return diverge(n, Step::table4,
+                     fmt::format("{} by row {} of Table 4, but the new point lies in different simplices",
+                                 both, a.insertion.row),
+                     {a.line, "in the " + place(a), to_line(a.insertion)},
+                     {b.line, "in the " + place(b), to_line(b.insertion)});
+    if (!tolerance_.same(a.insertion.point, b.insertion.point))
+      return diverge(n, Step::point,
+                     fmt::format("{} by row {}, but the new points are {:.3g} apart", both, a.insertion.row,
+                                 (a.insertion.point - b.insertion.point).norm()),
+                     {a.line, text(a.insertion.point), to_line(a.insertion)},
+                     {b.line, text(b.insertion.point), to_line(b.insertion)});
+    if (!in_a_tie && !tolerance_.same(a.insertion.e_avg, b.insertion.e_avg, scale_)) {
+      const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+      return diverge(n, Step::average_after,
+                     fmt::format("{} by row {}, but E'avg is {} against {}", both, a.insertion.row, one, two),
+                     side(a), side(b));
+    }
+    ++result_.insertions;
+    return same_flips(n, a, b, in_a_tie);
+  }
+
+  bool same_flips(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
+    const auto keys = [](const Split& split) {
+      std::vector<FlipKey> all;
+      for (const Flipped& flip : split.flips) all.push_back(flip.key);
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const std::vector<FlipKey> in_a = keys(a), in_b = keys(b);
+    if (in_a == in_b) {  // perhaps in another order, which is no matter of (3.5)
+      result_.flips += static_cast<std::int64_t>(in_a.size());
+      if (in_a.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
+      const auto [one, two] = apart(a.e_avg(), b.e_avg());
+      const Flipped &last_a = a.flips.back(), &last_b = b.flips.back();
+      return diverge(n, Step::average_after,
+                     fmt::format("insertion {}: after the same flips E_avg is {} against {}", n, one, two),
+                     {last_a.line, says(last_a.flip), to_line(last_a.flip)},
+                     {last_b.line, says(last_b.flip), to_line(last_b.flip)});
+    }
+    if (in_a_tie) {  // the surroundings of the two splits may not have been the same
+      parted_at_a_tie();
+      return false;
+    }
+    std::size_t i = 0;
+    while (i < a.flips.size() && i < b.flips.size() && a.flips[i].key == b.flips[i].key) ++i;
+    const Flipped* const one = i < a.flips.size() ? &a.flips[i] : nullptr;
+    const Flipped* const two = i < b.flips.size() ? &b.flips[i] : nullptr;
+    const auto side = [](const Flipped* flipped, std::int64_t line) {
+      return flipped ? Says{flipped->line,
+                            fmt::format("{}; smallest quality {:.6g} to {:.6g}", says(flipped->flip),
+                                        flipped->flip.quality_before, flipped->flip.quality_after),
+                            to_line(flipped->flip)}
+                     : Says{line, "no further flip"};
+    };
+    const auto short_name = [](const Flipped& flipped) {
+      const Flip& flip = flipped.flip;
+      const Point c = (flip.face[0] + flip.face[1] + flip.face[2] + flip.edge[0] + flip.edge[1]) / 5;
+      return fmt::format("makes the {} flip at ({:.4g}, {:.4g}, {:.4g})", flip.two_to_three ? "2-3" : "3-2",
+                         c.x(), c.y(), c.z());
+    };
+    const std::string what =
+        one && two ? fmt::format("insertion {}, flip {}: reference {}, other {}", n, i + 1, short_name(*one),
+                                 short_name(*two))
+        : one      ? fmt::format("insertion {}, flip {}: reference {}, other makes no further flip", n, i + 1,
+                                 short_name(*one))
+                   : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
+                                 short_name(*two));
+    diverge(n, Step::flips, what, side(one, a.line), side(two, b.line));
+    if (one && two &&
+        std::abs(gain(one->flip) - gain(two->flip)) <=
+            tie * std::max(std::abs(gain(one->flip)), std::abs(gain(two->flip)))) {
+      result_.verdict = TraceComparison::Verdict::tie;
+      result_.what += fmt::format("; a tie: both raise the smallest quality by {:.6g}",
+                                  one->flip.quality_after - one->flip.quality_before);
+    }
+    return false;
+  }
+
+  // By which the best flip is chosen (reading D22): of solid angles in tan(Omega/2).
+  double gain(const Flip& flip) const {
+    const auto measure = [&](double quality) {
+      return settings_.improve == "aspect-ratio" ? quality : std::tan(2 * std::numbers::pi * quality);
+    };
+    return measure(flip.quality_after) - measure(flip.quality_before);
+  }
+
+  static std::string choice(std::int64_t n, const Split& a, const Split& b) {
+    const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+    return fmt::format(
+        "insertion {}: reference splits the tetrahedron at {} by row {}, other the one at {} by row {}; "
+        "E'avg {} against {}",
+        n, at(a.insertion.tet), a.insertion.row, at(b.insertion.tet), b.insertion.row, one, two);
+  }
+
+  bool diverge(std::int64_t n, Step step, const std::string& what, const Says& reference, const Says& other) {
+    tell(result_, step, 1, {what, reference, other});
+    result_.insertion = n;
+    return false;
+  }
+
+  void parted_at_a_tie() {
+    diverge(tie_.n, Step::choice, choice(tie_.n, tie_.a, tie_.b) + ": a tie", side(tie_.a), side(tie_.b));
+    result_.verdict = TraceComparison::Verdict::tie;
+  }
+
+  // One trace has no insertion n.
+  void one_ended(std::int64_t n, const Split* a, const Split* b) {
+    if (!waiting_.empty()) return parted_at_a_tie();
+    const TraceStream& ended = a ? other_ : reference_;
+    const auto* end = ended.next_is<End>();
+    const Says over{end ? ended.line() : 0,
+                    end ? fmt::format("ends ({})", end->stopped) : "breaks off, without an end record",
+                    end ? to_line(*end) : ""};
+    const Split& split = a ? *a : *b;
+    diverge(n, Step::end,
+            fmt::format("insertion {}: {} {}, {} splits the tetrahedron at {} by row {}", n,
+                        a ? "other" : "reference", over.says, a ? "reference" : "other",
+                        at(split.insertion.tet), split.insertion.row),
+            a ? side(split) : over, a ? over : side(split));
+  }
+
+  // Both have no more insertions.
+  void ends() {
+    const End *a = reference_.next_is<End>(), *b = other_.next_is<End>();
+    if (!a && !b) return result_.notes.push_back("both traces break off, without an end record");
+    const auto ending = [](const End* end) {
+      return !end ? std::string("breaks off, without an end record")
+                  : fmt::format("ends ({}) with {} points, {} tetrahedra, E_avg {}", end->stopped,
+                                end->points, end->tets, end->e_avg);
+    };
+    if (a && b && a->stopped == b->stopped && a->points == b->points && a->tets == b->tets &&
+        tolerance_.same(a->e_avg, b->e_avg, scale_))
+      return;
+    diverge(result_.insertions, Step::end,
+            fmt::format("the end: reference {}, other {}", ending(a), ending(b)),
+            {a ? reference_.line() : 0, ending(a), a ? to_line(*a) : ""},
+            {b ? other_.line() : 0, ending(b), b ? to_line(*b) : ""});
+  }
+
+  TraceStream &other_, &reference_;
+  const Settings& settings_;
+  const Tolerance& tolerance_;
+  PointIndex& points_;
+  TraceComparison& result_;
+  double scale_ = 0, drift_ = 0;
+
+  struct Tie {
+    std::int64_t n;
+    Split a, b;
+  } tie_{};  // the first insertion of the present group
+  std::int64_t group_ = 0;
+  std::unordered_map<TetKey, std::pair<bool, Split>, ArrayHash> waiting_;  // true: of the reference
+};
+
+}  // namespace
+
+void compare_insertions(TraceStream& other, TraceStream& reference, const Settings& settings,
+                        const Tolerance& tolerance, FirstGrid& first, TraceComparison& result) {
+  Insertions(other, reference, settings, tolerance, first, result).run();
+}
+
+}  // namespace tetproof::verify

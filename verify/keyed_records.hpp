@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Records of one kind, matched by what names them (an edge, a cell) in whatever order each trace gives them.
+#pragma once
+
+#include <unordered_map>
+
+#include "verify/point_index.hpp"
+#include "verify/trace_differences.hpp"
+
+namespace tetproof::verify {
+
+/// The reference's records R of a kind; each waits for its partner in the other trace. Their differences
+/// count for `step`. `always_there`: a run has such records, so that a trace without them leaves them out and
+/// is not wrong about them.
+template <class Key, class R>
+class KeyedRecords {
+ public:
+  struct Entry {
+    R record;
+    std::int64_t line = 0, partner = 0;  ///< the partner's line; 0: none yet
+  };
+
+  explicit KeyedRecords(Step step, bool always_there = false) : step_(step), always_there_(always_there) {}
+
+  /// Takes the reference's next record.
+  void add(const TraceStream& reference, const Key& key, const R& record) {
+    const auto [found, fresh] = entries_.try_emplace(key, Entry{record, reference.line()});
+    if (!fresh)
+      throw InputError(fmt::format("{}:{}: expected another {} record, found the one of line {} again",
+                                   reference.path(), reference.line(), trace::name_of(record),
+                                   found->second.line));
+  }
+
+  /// The reference's record for the other's next one, which `name(record)` calls; nullptr, and a difference,
+  /// if there is none or an earlier one took it.
+  template <class Name>
+  const Entry* match(const TraceStream& other, const Key& key, const R& record, Differences& differences,
+                     const Name& name) {
+    other_has_any_ = true;
+    if (left_out()) return nullptr;
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) {
+      differences.add(step_, 0, other.line(), [&] {
+        return Differences::Difference{fmt::format("{}: only in other", name(record)),
+                                       {0, "nothing"},
+                                       {other.line(), "has it", trace::to_line(record)}};
+      });
+      return nullptr;
+    }
+    Entry& entry = found->second;
+    if (entry.partner) {
+      differences.add(step_, entry.line, other.line(), [&] {
+        return Differences::Difference{
+            fmt::format("{}: twice in other", name(record)),
+            {entry.line, "once", trace::to_line(entry.record)},
+            {other.line(), fmt::format("again, after line {}", entry.partner), trace::to_line(record)}};
+      });
+      return nullptr;
+    }
+    entry.partner = other.line();
+    return &entry;
+  }
+
+  /// Adds a difference for each record that found no partner; `name(record)` calls it.
+  template <class Name>
+  void rest(Differences& differences, const Name& name) const {
+    if (left_out()) return;
+    for (const auto& [key, entry] : entries_)
+      if (!entry.partner)
+        differences.add(step_, entry.line, 0, [&] {
+          return Differences::Difference{fmt::format("{}: only in reference", name(entry.record)),
+                                         {entry.line, "has it", trace::to_line(entry.record)},
+                                         {0, "nothing"}};
+        });
+  }
+
+  bool empty() const { return entries_.empty(); }
+  /// One of the two traces leaves these records out; known at its end.
+  bool left_out() const { return always_there_ && entries_.empty() == other_has_any_; }
+
+ private:
+  Step step_;
+  bool always_there_;
+  std::unordered_map<Key, Entry, ArrayHash> entries_;
+  bool other_has_any_ = false;
+};
+
+}  // namespace tetproof::verify

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parts of the comparison of two traces share: a trace as it is read, and the earliest difference
+// found.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "io/error.hpp"
+#include "io/trace.hpp"
+#include "verify/compare_traces.hpp"
+
+namespace tetproof::verify {
+
+/// The decisions in the order in which a difference counts: what follows from a difference comes after it.
+enum class Step {
+  settings,
+  lattice,
+  indicators,
+  table3,
+  moved,
+  cut,
+  table2,
+  mapped,
+  first_grid,
+  distance,
+  curvature,
+  weight,
+  volume,
+  volume_law,
+  desired,
+  error,
+  average,
+  choice,
+  table4,
+  point,
+  average_after,
+  flips,
+  end
+};
+
+/// A trace being read, with a look at the next record.
+class TraceStream {
+ public:
+  explicit TraceStream(const std::string& path) : reader_(path) { take(); }
+
+  const trace::Record* next() const { return next_ ? &*next_ : nullptr; }
+  template <class R>
+  const R* next_is() const {
+    return next_ ? std::get_if<R>(&*next_) : nullptr;
+  }
+  std::int64_t line() const { return reader_.line(); }  ///< of the next record
+  const std::string& path() const { return reader_.path(); }
+  void take() { next_ = reader_.next(); }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw InputError(fmt::format("{}:{}: expected {}, found {}", path(), line(), expected,
+                                 next_ ? trace::name_of(*next_) : "the end of the trace"));
+  }
+
+ private:
+  trace::Reader reader_;
+  std::optional<trace::Record> next_;
+};
+
+/// What one side has to do with a difference.
+struct Says {
+  std::int64_t line = 0;
+  std::string says;
+  std::string record{};
+};
+
+/// Collects differences that are met in any order; keeps of each step how many there are and the first one of
+/// the reference.
+class Differences {
+ public:
+  struct Difference {
+    std::string what;
+    Says reference, other;
+  };
+  /// `make()` gives the difference and is only called when it is the first so far. Lines are 0 where a side
+  /// has no record; what only the other trace has comes after what the reference has.
+  template <class Make>
+  void add(Step step, std::int64_t reference_line, std::int64_t other_line, const Make& make) {
+    Found& found = found_[step];
+    ++found.count;
+    const std::pair order{reference_line == 0, reference_line ? reference_line : other_line};
+    if (found.count > 1 && order >= found.order) return;
+    found.order = order;
+    found.difference = make();
+  }
+  bool none() const { return found_.empty(); }
+  /// Puts the earliest step's difference into `result`.
+  void tell(TraceComparison& result) const;
+
+ private:
+  struct Found {
+    std::int64_t count = 0;
+    std::pair<bool, std::int64_t> order;
+    Difference difference;
+  };
+  std::map<Step, Found> found_;
+};
+
+/// Fills in where `difference` is and what both say.
+void tell(TraceComparison& result, Step step, std::int64_t count, const Differences::Difference& difference);
+
+// Words.
+std::string text(const trace::Point& point);           ///< (x, y, z), all digits
+std::string text(const trace::LatticeVertex& vertex);  ///< (i, j, k)
+std::string text(const trace::Tet& tet);               ///< its four points
+std::string at(const trace::Tet& tet);                 ///< its centroid in a few digits
+/// Two numbers with as many digits as it takes to see that they differ, at least `digits`.
+std::pair<std::string, std::string> apart(double a, double b, int digits = 4);
+std::pair<std::string, std::string> apart(std::int64_t a, std::int64_t b);
+std::string counted(std::int64_t n, const char* one, const char* many);
+
+}  // namespace tetproof::verify
