@@ -35,7 +35,8 @@ struct AdaptOptions {
 /// Throws InputError for options out of range.
 void check(const AdaptOptions& options);
 
-enum class Stop { no_gain, dilution, stalled, points, e_avg };
+/// Readings D17 and D23; `diverged` where a trace was followed as far as it was admissible.
+enum class Stop { no_gain, dilution, stalled, points, e_avg, diverged };
 std::string_view name_of(Stop stop);
 
 struct Adaptation {
@@ -60,30 +61,10 @@ struct Listener {
       after_step;  ///< the first grid, and the grid after each insertion and its flips
 };
 
-/// The first grid with its weights and the law of volumes, ready for step (vi). `weighting` gets the law.
-struct Prepared {
-  WeightedGrid grid;
-  double mean_volume;
-};
-Prepared weigh_grid(const Grid& grid, Weighting& weighting, const AdaptOptions& options,
-                    const TrueSurface* true_surface, const Listener& listener);
-
 /// Steps (v) and (vi) on the grid of steps (i) to (iv). `true_surface` may be null. The grid must not be
 /// empty, and be positive throughout. Throws InputError for options out of range, or volumes that ask for
 /// more than 2e8 tetrahedra.
 Adaptation adapt(const Grid& grid, const TriangleSurface& surface, const AdaptOptions& options,
                  const TrueSurface* true_surface, const Listener& listener);
-
-/// The set O_i of section 4 after a split: its pieces (from number `first` on) and the face neighbours that
-/// the tetrahedron had. Empty if no piece has a solid angle below the tolerance, or nothing is to be improved
-/// (reading D21).
-std::vector<Index> set_to_improve(const WeightedGrid& grid, const std::array<Index, 4>& neighbours,
-                                  Index first, const AdaptOptions& options);
-std::array<Index, 4> neighbours_of(const Triangulation& grid, Index tet);
-
-/// Throws std::logic_error, with what was expected and found, unless every tetrahedron is exactly positive,
-/// every face is shared by at most two with opposite orientation, and E_avg as maintained is E_avg recomputed
-/// (to 1e-12).
-void check_invariants(const WeightedGrid& grid);
 
 }  // namespace tetproof::reference

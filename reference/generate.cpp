@@ -26,6 +26,8 @@ void check(const Options& options) {
         fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}",
                     options.on_surface));
   if (options.adapt) check(*options.adapt);
+  if (!options.follow.empty() && !options.adapt)
+    throw InputError("there is nothing to follow without an adaptation");
 }
 
 }  // namespace
@@ -110,9 +112,13 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
     result.not_mapped = std::ssize(mapped) - result.mapped;
     if (record) record_mapped(mapped, record);
   }
-  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0)
-    result.adaptation =
-        adapt(result.grid, surface, *options.adapt, true_surface.get(), options.listener);  // (v), (vi)
+  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0) {  // (v), (vi)
+    if (options.follow.empty())
+      result.adaptation = adapt(result.grid, surface, *options.adapt, true_surface.get(), options.listener);
+    else
+      result.adaptation = follow(result.grid, surface, *options.adapt, true_surface.get(), options.follow,
+                                 options.listener, result.follow.emplace());
+  }
   if (record) record(end_of(result));
   return result;
 }

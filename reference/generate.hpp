@@ -11,6 +11,7 @@
 #include "io/triangle_surface.hpp"
 #include "reference/adapt.hpp"
 #include "reference/extract.hpp"
+#include "reference/follow.hpp"
 
 namespace tetproof::reference {
 
@@ -27,6 +28,8 @@ struct Options {
   bool parametric = true;  ///< follow the surface's parametric definition, if it has one (reading D12)
   std::optional<AdaptOptions> adapt;  ///< steps (v) and (vi); without, or from a first grid that is empty or
                                       ///< not positive, the first grid is the result
+  std::string
+      follow;  ///< a trace whose decisions are replayed and checked instead of making our own; needs `adapt`
   Listener listener;
 };
 
@@ -35,6 +38,7 @@ struct Generation {
   Lattice lattice;
   Grid grid;                             ///< the first one, of steps (i) to (iv)
   std::optional<Adaptation> adaptation;  ///< steps (v) and (vi), if they were made
+  std::optional<Follow> follow;          ///< if a trace was followed
   const TetMesh& mesh() const { return adaptation ? adaptation->mesh : grid.mesh; }  ///< the result
 
   std::array<std::int64_t, tables::table3.size()> table3{};  ///< how often each row was applied

@@ -183,16 +183,4 @@ std::vector<Index> updated_set(std::vector<Index> set, const Flip& flip, Index f
   return set;
 }
 
-std::int64_t improve(WeightedGrid& grid, std::vector<Index> set, Criterion criterion,
-                     const std::function<void(const Flip&)>& made) {
-  std::int64_t flips = 0;
-  while (const std::optional<Flip> flip = best_flip(grid.grid(), set, criterion)) {
-    const Index first = grid.exchange(flip->old, flip->fresh);
-    set = updated_set(std::move(set), *flip, first);
-    ++flips;
-    if (made) made(*flip);
-  }
-  return flips;
-}
-
 }  // namespace tetproof::reference

@@ -2,7 +2,6 @@
 // Section 4: local improvement by exchanging the two and three tetrahedra of a convex hexahedron.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "reference/weighted_grid.hpp"
@@ -50,9 +49,5 @@ std::optional<Flip> best_flip(const Triangulation& grid, const std::vector<Index
 
 /// The set O_i with a flip's tetrahedra exchanged.
 std::vector<Index> updated_set(std::vector<Index> set, const Flip& flip, Index first_fresh);
-
-/// Flips within the set until none helps; each is told after it was made. Returns how many.
-std::int64_t improve(WeightedGrid& grid, std::vector<Index> set, Criterion criterion,
-                     const std::function<void(const Flip&)>& made);
 
 }  // namespace tetproof::reference

@@ -28,6 +28,8 @@ using Json = nlohmann::ordered_json;
 const char* const examples =
     "  tetproof-mesh skull.off -o skull.msh --cells 64\n"
     "  tetproof-mesh torus:R=1,r=0.4 -o torus.node --region outside\n"
+    "  tetproof-mesh ball.stl -o ball.msh --v0 0.1 --v1 1 --curvature --trace ball.jsonl\n"
+    "  tetproof-mesh ball.stl --v0 0.1 --v1 1 --curvature --follow yours.jsonl\n"
     "  tetproof-mesh wing:naca=0012 -o wing.vtu --cells 200,40,40 --on-surface 0.1 --json wing.json\n";
 
 // What part of the whole time each phase takes, measured on ct_skull.off with a million tetrahedra.
@@ -85,9 +87,12 @@ int mesh(const Arguments& a, const program::Common& common) {
     return program::sound;
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
-  if (a.grid.empty()) throw InputError("expected -o GRID (see tetproof-mesh --help)");
-  format_of(a.grid);  // refuses an unknown ending before the work
-  check_creatable(a.grid);
+  if (a.grid.empty() && a.options.follow.empty())
+    throw InputError("expected -o GRID (see tetproof-mesh --help)");
+  if (!a.grid.empty()) {
+    format_of(a.grid);  // refuses an unknown ending before the work
+    check_creatable(a.grid);
+  }
 
   Stopwatch watch;
   program::Progress progress(common, phase_shares);
@@ -125,13 +130,14 @@ int mesh(const Arguments& a, const program::Common& common) {
   enter("writing");
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
-  write_document(a.grid, document_of(made.mesh()), write);
+  if (!a.grid.empty()) write_document(a.grid, document_of(made.mesh()), write);
   trace.commit();
   progress.end();
   const auto& seconds = watch.stop();
 
   if (common.json != "-")
-    fmt::print("{}{}written: {}\n", generation_text(made), verify::report_text(report), a.grid);
+    fmt::print("{}{}{}", generation_text(made), verify::report_text(report),
+               a.grid.empty() ? "" : fmt::format("written: {}\n", a.grid));
   if (a.timings)
     for (const auto& [name, s] : seconds) program::say(common, fmt::format("{:>8.3f} s  {}", s, name));
   if (!common.json.empty()) {
@@ -141,7 +147,8 @@ int mesh(const Arguments& a, const program::Common& common) {
       for (const auto& [name, s] : seconds) json["seconds"][name] = s;
     program::write_text(common.json, json.dump(2) + "\n");
   }
-  return verify::sound(report) ? program::sound : program::wrong;
+  const bool admissible = !made.follow || made.follow->admissible;
+  return verify::sound(report) && admissible ? program::sound : program::wrong;
 }
 
 }  // namespace

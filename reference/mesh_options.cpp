@@ -44,6 +44,12 @@ void declare_adaptation(CLI::App& app, Arguments& a) {
   app.add_option("--improve-below", a.adapt.improve_below,
                  "improve after an insertion that made a solid angle smaller than this, of 4 pi")
       ->type_name("S");
+  app.add_option(
+         "--follow", a.options.follow,
+         "replay another implementation's decisions, checking each; stop at the first that is not admissible")
+      ->type_name("OTHER.jsonl")
+      ->check(CLI::ExistingFile)
+      ->always_capture_default(false);
   app.add_option("--trace", a.trace, "every decision, one JSON record a line, for tetproof-compare")
       ->type_name("FILE.jsonl");
 }

@@ -52,7 +52,8 @@ std::string adaptation_text(const Adaptation& a) {
                                : a.stopped == Stop::dilution ? "the chosen tetrahedron is not too large (D17)"
                                : a.stopped == Stop::stalled  ? "E_avg has set no new minimum for long (D23)"
                                : a.stopped == Stop::points   ? "the number of points asked for"
-                                                             : "the E_avg asked for";
+                               : a.stopped == Stop::e_avg    ? "the E_avg asked for"
+                                                             : "the trace's next decision is not admissible";
   std::string text = fmt::format(
       "adapted: {} points inserted, {} flips; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
       "  stopped: {}: {}\n",
@@ -94,6 +95,12 @@ std::string generation_text(const Generation& made) {
     text +=
         fmt::format("grid: {} tetrahedra, {} points\n", made.mesh().tets.size(), made.mesh().points.size());
   }
+  if (made.follow)
+    text +=
+        made.follow->admissible
+            ? fmt::format("every decision of the trace is admissible, {} of them by a tie\n",
+                          made.follow->ties)
+            : fmt::format("not admissible, line {} of the trace: {}\n", made.follow->line, made.follow->what);
   return text;
 }
 
@@ -118,6 +125,11 @@ void add_generation(Json& json, const std::string& surface_name, const verify::S
       {"not_mapped", made.not_mapped},
       {"not_positive", made.not_positive}};
   if (made.adaptation) json["adaptation"] = adaptation_json(*made.adaptation);
+  if (made.follow)
+    json["follow"] = {{"admissible", made.follow->admissible},
+                      {"line", made.follow->line},
+                      {"what", made.follow->what},
+                      {"ties", made.follow->ties}};
 }
 
 }  // namespace tetproof::reference

@@ -14,7 +14,7 @@ namespace tetproof::reference {
 /// For people: a line for the grid and one for each thing worth knowing.
 std::string generation_text(const Generation& made);
 
-/// The keys `generation` and `adaptation`, the latter only if there was one.
+/// The keys `generation`, and `adaptation` and `follow` if there was one.
 void add_generation(nlohmann::ordered_json& json, const std::string& surface_name,
                     const verify::SurfaceReport& surface, const Generation& made);
 

@@ -28,13 +28,6 @@ Simplex simplex(const Triangulation& grid, Index tet, std::vector<int> corners) 
   return {std::move(corners), size, std::move(names)};
 }
 
-// The largest of some edges or faces; of equals the one named first.
-const Simplex& largest(const std::vector<Simplex>& candidates) {
-  return *std::min_element(candidates.begin(), candidates.end(), [](const Simplex& a, const Simplex& b) {
-    return a.size != b.size ? a.size > b.size : a.names < b.names;
-  });
-}
-
 Split split_at(const Triangulation& grid, Index tet, int row, const std::vector<int>& corners) {
   Split split{.row = row,
               .pieces = static_cast<int>(corners.size()),
@@ -57,7 +50,7 @@ const int row_0 = row_named("0"), row_1 = row_named("1"), row_2a = row_named("2a
 
 }  // namespace
 
-Split split_by_table4(const Triangulation& grid, Index tet) {
+std::vector<Split> splits_by_table4(const Triangulation& grid, Index tet, double tie) {
   const std::vector<int> all{0, 1, 2, 3};
   std::vector<int> surface;  // v1, v2, ... of the row
   int other = -1;            // the last corner that is none of them
@@ -69,15 +62,15 @@ Split split_by_table4(const Triangulation& grid, Index tet) {
 
   switch (surface.size()) {
     case 0:
-      return split_at(grid, tet, row_0, all);
+      return {split_at(grid, tet, row_0, all)};
     case 1:
-      return split_at(grid, tet, row_1, all);
+      return {split_at(grid, tet, row_1, all)};
     case 2:
-      if (grid.edge_is_shared(tet, surface[0], surface[1])) return split_at(grid, tet, row_2a, all);
-      return split_at(grid, tet, row_2b, surface);
+      if (grid.edge_is_shared(tet, surface[0], surface[1])) return {split_at(grid, tet, row_2a, all)};
+      return {split_at(grid, tet, row_2b, surface)};
     case 3:
-      if (grid.neighbour(tet, other) >= 0) return split_at(grid, tet, row_3a, all);
-      return split_at(grid, tet, row_3b, surface);
+      if (grid.neighbour(tet, other) >= 0) return {split_at(grid, tet, row_3a, all)};
+      return {split_at(grid, tet, row_3b, surface)};
     default:
       break;
   }
@@ -90,12 +83,24 @@ Split split_by_table4(const Triangulation& grid, Index tet) {
     faces.push_back(simplex(grid, tet, std::move(corners)));
   }
   const int row = row_4a + static_cast<int>(faces.size());  // 4a .. 4e by the number of unshared faces
-  if (tables::table4[row].place == Place::tetrahedron) return split_at(grid, tet, row, all);
+  if (tables::table4[row].place == Place::tetrahedron) return {split_at(grid, tet, row, all)};
   if (tables::table4[row].place == Place::edge)
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j)
         if (!grid.edge_is_shared(tet, i, j)) edges.push_back(simplex(grid, tet, {i, j}));
-  return split_at(grid, tet, row, largest(edges.empty() ? faces : edges).corners);
+  std::vector<Simplex>& places = edges.empty() ? faces : edges;
+  std::sort(places.begin(), places.end(), [](const Simplex& a, const Simplex& b) {
+    return a.size != b.size ? a.size > b.size : a.names < b.names;
+  });
+  std::vector<Split> splits;
+  for (const Simplex& place : places)  // sizes are squares
+    if (splits.empty() || place.size >= places.front().size * (1 - 2 * tie))
+      splits.push_back(split_at(grid, tet, row, place.corners));
+  return splits;
+}
+
+Split split_by_table4(const Triangulation& grid, Index tet) {
+  return splits_by_table4(grid, tet, 0).front();
 }
 
 std::array<Corners, 4> pieces_of(const Corners& tet, const Split& split, Index point) {

@@ -57,9 +57,13 @@ struct Split {
   bool on_surface;  ///< the new point is a surface point: it lies on an unshared edge or face (reading D19)
 };
 
+/// The splits that Table 4 allows a tetrahedron: one, but where a row takes the longest of several edges, or
+/// the largest of several faces. The first is the one prescribed: lengths and areas are compared in doubles,
+/// ties by the sorted numbers of the points. The others follow if they are as large to `tie`, relative.
+std::vector<Split> splits_by_table4(const Triangulation& grid, Index tet, double tie);
+
 /// The split that Table 4 prescribes for a tetrahedron. Where a row asks for an edge that no other
-/// tetrahedron has and there is none, the point is the centroid of the largest unshared face. Lengths and
-/// areas are compared in doubles, ties by the sorted numbers of the points.
+/// tetrahedron has and there is none, the point is the centroid of the largest unshared face.
 Split split_by_table4(const Triangulation& grid, Index tet);
 
 /// The corners of the pieces, with `point` for the corners replaced, in order; the first `split.pieces`

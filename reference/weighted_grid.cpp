@@ -41,13 +41,17 @@ bool WeightedGrid::pieces_positive(Index tet, const Split& split) const {
 }
 
 Candidate WeightedGrid::candidate(Index tet) const {
-  Candidate found{.tet = tet, .split = split_by_table4(grid_, tet), .pieces = {}, .change = 0};
-  Split& split = found.split;
+  Split split = split_by_table4(grid_, tet);
   if (split.on_surface && to_surface_) {
     Split moved = split;
     moved.point = to_surface_(split.point);
     if (pieces_positive(tet, moved)) split = moved;
   }
+  return candidate(tet, split);
+}
+
+Candidate WeightedGrid::candidate(Index tet, const Split& split) const {
+  Candidate found{.tet = tet, .split = split, .pieces = {}, .change = 0};
   const auto corners = grid_.corner_points(tet);
   const Weight& whole = weights_[tet];
   const Eigen::Vector3d centre = centroid(corners[0], corners[1], corners[2], corners[3]);

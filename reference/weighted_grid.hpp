@@ -48,6 +48,8 @@ class WeightedGrid {
 
   /// Eq. (3.5) for one tetrahedron, literally.
   Candidate candidate(Index tet) const;
+  /// The same for a split that Table 4 allows, its point as given.
+  Candidate candidate(Index tet, const Split& split) const;
   double e_avg_after(const Candidate& c) const {
     return average_error_after_split(sum(), c.change, grid_.tets(), c.split.pieces);
   }
