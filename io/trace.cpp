@@ -301,7 +301,7 @@ json parse(const std::string& line, const std::string& place) {
     std::string rest;
     for (const char c : line.substr(at, 30)) rest += c >= ' ' && c <= '~' ? c : '?';
     throw InputError(fmt::format("{}: expected a record as JSON in one line, found {} at column {}", place,
-                                 rest.empty() ? "the end of the line" : "'" + rest + "'", at + 1));
+                                 rest.empty() ? "the end of the line" : fmt::format("'{}'", rest), at + 1));
   } catch (const json::out_of_range&) {
     throw InputError(fmt::format("{}: expected numbers that a double can hold, found a larger one", place));
   }

@@ -78,11 +78,14 @@ std::pair<std::string, std::string> apart(std::int64_t a, std::int64_t b) {
 }
 
 std::pair<std::string, std::string> apart(double a, double b, int digits) {
-  const auto word = [&](double x) { return std::isnan(x) ? "none" : fmt::format("{:.{}g}", x, digits); };
-  for (;; ++digits) {
-    std::pair words{word(a), word(b)};
-    if (words.first != words.second || digits >= 17) return words;
+  const auto word = [](double x, int most) {
+    return std::isnan(x) ? "none" : fmt::format("{:.{}g}", x, most);
+  };
+  for (int more = digits; more <= 17; ++more) {
+    std::pair words{word(a, more), word(b, more)};
+    if (words.first != words.second) return words;
   }
+  return {word(a, digits), word(b, digits)};
 }
 
 std::string counted(std::int64_t n, const char* one, const char* many) {
