@@ -359,8 +359,12 @@ class Follower {
       const Triangulation& grid = insertion_->grid().grid();
       std::array<Index, 3> face;
       std::array<Index, 2> edge;
-      for (int i = 0; i < 3; ++i) face[i] = points_.find(theirs->face[i]);
-      for (int i = 0; i < 2; ++i) edge[i] = points_.find(theirs->edge[i]);
+      try {
+        for (int i = 0; i < 3; ++i) face[i] = points_.find(theirs->face[i]);
+        for (int i = 0; i < 2; ++i) edge[i] = points_.find(theirs->edge[i]);
+      } catch (const Divergence& unknown) {
+        throw Divergence{name + unknown.what};
+      }
       std::sort(face.begin(), face.end());
       std::sort(edge.begin(), edge.end());
       const std::optional<Flip> best = best_flip(grid, set, options_.improve);
