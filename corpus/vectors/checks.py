@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether the vectors themselves make sense, in rational arithmetic: rows tile their part, pieces fill their tetrahedron, clusters do
+not overlap, equations hold. Nothing here knows how the vectors were made."""
+from fractions import Fraction
+from itertools import combinations
+
+FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
+
+
+def exact(point):
+    return tuple(Fraction(x) for x in point)
+
+
+def sub(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def volume(a, b, c, d):
+    return Fraction(dot(cross(sub(b, a), sub(c, a)), sub(d, a))) / 6
+
+
+def is_tet(value):
+    number = lambda x: isinstance(x, (int, float)) and not isinstance(x, bool) and abs(x) < float("inf")
+    return (isinstance(value, list) and len(value) == 4
+            and all(isinstance(p, list) and len(p) == 3 and all(map(number, p)) for p in value))
+
+
+def boundary(tets):
+    """The faces that only one tetrahedron has, as point triples, anticlockwise from outside; None if a face occurs twice alike."""
+    faces = {}
+    for tet in tets:
+        for f in FACES:
+            corners = [tet[c] for c in f]
+            first = corners.index(min(corners))
+            face = tuple(corners[first:] + corners[:first])
+            if face in faces:
+                return None
+            faces[face] = True
+    return [f for f in faces if (f[0], f[2], f[1]) not in faces]
+
+
+def table1(case):
+    s, e = case["input"]["indicators"], case["expected"]
+    if sorted(map(tuple, e["edges"])) != [p for p in combinations(range(4), 2) if s[p[0]] * s[p[1]] == -1]:
+        yield "an edge has a cut exactly where its ends lie on different sides"
+
+
+def table2(case):
+    """The tetrahedra are positive, match face to face, and are bounded by the surface and by the inside part of each face of the
+    lattice tetrahedron: so they tile that part."""
+    vertices = case["input"]["vertices"]
+    place = {v["number"]: exact(v["point"]) for v in vertices}
+    after = {v["number"]: v["after"] for v in vertices}
+    cut = {frozenset(c["edge"]): exact(c["point"]) for c in case["input"]["cuts"]}
+    if set(cut) != {frozenset(e) for e in combinations(place, 2) if after[e[0]] * after[e[1]] < 0}:
+        yield "cuts: one for each edge between -1 and +1"
+        return
+    surface = set(cut.values()) | {place[v] for v in place if after[v] == 0}
+    # A centroid is rounded: only here the sums are compared with a tolerance.
+    slack = Fraction(case["tolerance"]["absolute"]) * 1000
+    tets = [[exact(p) for p in t] for t in case["expected"]["tetrahedra"]]
+    if any(volume(*t) <= 0 for t in tets):
+        yield "a tetrahedron is not positive"
+    outer = boundary(tets)
+    if outer is None:
+        yield "a face is induced twice with the same orientation"
+        return
+    if not tets and any(after[v] > 0 and place[v] not in surface for v in place):
+        yield "nothing is kept though a vertex is inside"
+    left = [f for f in outer if not all(p in surface for p in f)]
+    for corners in combinations(place, 3):
+        a, b, c = (place[v] for v in corners)
+        normal = cross(sub(b, a), sub(c, a))
+        twice = lambda f: dot(cross(sub(f[1], f[0]), sub(f[2], f[0])), normal)
+        here = [f for f in outer if all(dot(sub(p, a), normal) == 0 for p in f)]
+        left = [f for f in left if f not in here]
+        polygon = []
+        for v, w in zip(corners, corners[1:] + corners[:1]):
+            if after[v] >= 0:
+                polygon.append(place[v])
+            if after[v] * after[w] < 0:
+                polygon.append(cut[frozenset((v, w))])
+        inside = sum((twice((polygon[0], p, q)) for p, q in zip(polygon[1:], polygon[2:])), Fraction(0))
+        # A face whose inside part has all its corners on the surface may belong to the surface: covered or not.
+        covered = abs(sum(map(twice, here)))
+        if abs(covered - abs(inside)) > slack and (covered or not set(polygon) <= surface):
+            if not (all(after[v] <= 0 for v in corners) and all(set(f) <= surface for f in here)):
+                yield f"on the lattice face {corners} the tetrahedra do not cover the inside part"
+    if left:
+        yield f"{len(left)} boundary faces lie neither on a lattice face nor on the surface"
+
+
+def table3(case):
+    given, e = case["input"], case["expected"]
+    before = [v["indicator"] for v in given["vertices"]]
+    points = {tuple(c["edge"]): [exact(p) for p in c["points"]] for c in given["edges"]}
+    place = [exact(v["point"]) for v in given["vertices"]]
+    for v, (old, new) in enumerate(zip(before, e["indicators"])):
+        if old and new != old:
+            yield f"vertex {v}: only a 0 can change"
+        if v in given["settled"] and new != old:
+            yield f"vertex {v} is settled"
+    for edge, where in points.items():
+        parameters = [dot(sub(p, place[edge[0]]), sub(place[edge[1]], place[edge[0]])) for p in where]
+        if parameters != sorted(set(parameters)):
+            yield f"edge {edge}: points are distinct and run from the lower-numbered end"
+    cuts = {tuple(c["edge"]): exact(c["point"]) for c in e["cuts"]}
+    for edge in [(a, b) for a in range(8) for b in range(a + 1, 8) if a & b == a]:
+        different = e["indicators"][edge[0]] * e["indicators"][edge[1]] < 0
+        if different != (edge in cuts):
+            yield f"edge {edge}: a cut exactly where the ends lie on different sides"
+        elif different:
+            outer, inner = edge if e["indicators"][edge[0]] < 0 else edge[::-1]
+            choice = [place[outer]] if before[outer] == 0 else []
+            choice += points.get(edge, [])[::1 if outer == edge[0] else -1]
+            choice += [place[inner]] if before[inner] == 0 else []
+            if not choice or cuts[edge] != choice[0]:
+                yield f"edge {edge}: the cut is the point closest to the exterior end"
+
+
+def disjoint(s, t):
+    normals = [cross(sub(one[b], one[a]), sub(one[c], one[a])) for one in (s, t) for a, b, c in FACES]
+    edges = [[sub(b, a) for a, b in combinations(one, 2)] for one in (s, t)]
+    for n in normals + [cross(e, f) for e in edges[0] for f in edges[1]]:
+        first, second = [dot(n, p) for p in s], [dot(n, p) for p in t]
+        if any(n) and (max(first) <= min(second) or max(second) <= min(first)):
+            return True
+    return False
+
+
+def table4(case):
+    given, e = case["input"], case["expected"]
+    points = [exact(p) for p in given["points"]]
+    tets, at = given["tetrahedra"], given["tetrahedra"][given["split"]]
+    place = lambda t: [points[v] for v in t]
+    if any(volume(*place(t)) <= 0 for t in tets) or boundary(tets) is None:
+        yield "the cluster is not positive and conforming"
+    if not all(disjoint(place(s), place(t)) for s, t in combinations(tets, 2)):
+        yield "tetrahedra of the cluster overlap"
+    others = [set(t) for k, t in enumerate(tets) if k != given["split"]]
+    if len(e["replaced"]) < 4 and any(set(e["replaced"]) <= other for other in others):
+        yield "the new point lies on an edge or face that another tetrahedron has"
+    points.append(exact(e["point"]))
+    mean = tuple(sum(points[v][x] for v in e["replaced"]) / len(e["replaced"]) for x in range(3))
+    if max(map(abs, sub(mean, points[-1]))) > Fraction(case["tolerance"]["absolute"]):
+        yield "the new point is the mean of the corners it replaces"
+    if len(e["pieces"]) != len(e["replaced"]) or any(volume(*place(t)) <= 0 for t in e["pieces"]):
+        yield "one positive piece for each corner replaced"
+    if abs(sum(volume(*place(t)) for t in e["pieces"]) - volume(*place(at))) > Fraction(1, 10**9):
+        yield "the pieces fill the tetrahedron"
+
+
+def near(a, b, tolerance=Fraction(1, 10**12)):
+    return abs(a - b) <= tolerance * max(1, abs(a), abs(b))
+
+
+def volume_law(case):
+    """(3.1) solved for t = (d/d1)^p, and that raised to the reciprocal of p's root, so that nothing is irrational."""
+    g = {key: Fraction(x) for key, x in case["input"].items()}
+    found, p = Fraction(case["expected"]["volume"]), Fraction(case["input"]["p"]).limit_denominator(4)
+    if g["v0"] == g["v1"] or found == min(g["v0"], g["v1"]) != g["v0"]:
+        right = found == g["v0"] or ((g["d"] / g["d1"]) ** p.numerator >= 1 and g["v1"] < g["v0"])
+    else:
+        t = (found - g["v0"]) / (g["v1"] - g["v0"])
+        right = t >= 0 and near(t**p.denominator, (g["d"] / g["d1"]) ** p.numerator)
+    if not right:
+        yield "eq. (3.1) does not hold"
+
+
+def curvature_weight(case):
+    g = {key: Fraction(x) for key, x in case["input"].items()}
+    span = g["kappa_max"] - g["kappa_min"]
+    if not near(Fraction(case["expected"]["weight"]), 1 - Fraction(9, 10) * (g["kappa"] - g["kappa_min"]) / span if span else Fraction(1)):
+        yield "eq. (3.6) does not hold"
+
+
+def weights(case):
+    given, e = case["input"], case["expected"]
+    points, surface = [exact(p) for p in given["points"]], [exact(p) for p in given["surface"]]
+    for number, (t, w) in enumerate(zip(given["tetrahedra"], e["tetrahedra"])):
+        corners = [points[v] for v in t]
+        middle = tuple(sum(column) / 4 for column in zip(*corners))
+        squares = [dot(sub(middle, x), sub(middle, x)) for x in surface]
+        d2 = Fraction(w["d"]) ** 2
+        if not near(d2, min(squares)) or squares[w["nearest"]] != min(squares):
+            yield f"tetrahedron {number}: eq. (3.2) does not hold"
+        if not near(Fraction(w["volume"]), volume(*corners)) or volume(*corners) <= 0:
+            yield f"tetrahedron {number}: the volume is wrong"
+        if not near(Fraction(w["error"]), abs(Fraction(w["volume"]) - Fraction(w["desired"]))):
+            yield f"tetrahedron {number}: eq. (3.3) does not hold"
+        if not given["kappa"] and w["omega"] != 1 or not Fraction(1, 10) <= Fraction(w["omega"]).limit_denominator(10**9) <= 1:
+            yield f"tetrahedron {number}: the weight is not in [1/10, 1]"
+    if not near(Fraction(e["e_avg"]), sum(Fraction(w["error"]) for w in e["tetrahedra"]) / len(e["tetrahedra"])):
+        yield "eq. (3.4) does not hold"
+
+
+def choice(case):
+    errors, e = list(map(Fraction, case["input"]["errors"])), case["expected"]
+    after = []
+    for c in case["input"]["candidates"]:
+        grid = errors[:c["tet"]] + list(map(Fraction, c["pieces"])) + errors[c["tet"] + 1:]
+        after.append((sum(grid) / len(grid), c["tet"]))
+    if not all(near(Fraction(x), y) for x, (y, _) in zip(e["after_each"], after)) or len(after) != len(e["after_each"]):
+        yield "eq. (3.5) does not hold"
+    best = min(after)
+    if e["tet"] != (best[1] if best[0] < sum(errors) / len(errors) else None):
+        yield "the choice is not the smallest average"
+
+
+def curvature(case):
+    g = case["input"]
+    if not any(g["vertex"] in t for t in g["triangles"]) or case["expected"]["curvature"] < 0:
+        yield "no triangle at the vertex, or a negative curvature"
+    edges = [(t[k], t[(k + 1) % 3]) for t in g["triangles"] for k in range(3)]
+    if len(edges) != len(set(edges)):
+        yield "the triangles are not consistently oriented"
+
+
+def faults(kind, content):
+    """All that is wrong with a file, a line each."""
+    checks = {"table1": table1, "table2": table2, "table3": table3, "table4": table4, "volume_law": volume_law, "weights": weights,
+              "choice": choice, "curvature_weight": curvature_weight, "curvature": curvature}
+    if kind not in checks:
+        yield f"{kind}: unknown kind"
+        return
+    seen, used = set(), set()
+    for case in content["cases"]:
+        if case["id"] in seen:
+            yield f"{case['id']}: the id is there twice"
+        seen.add(case["id"])
+        used |= set(case["flags"])
+        for flag in set(case["flags"]) - set(content["flags"]):
+            yield f"{case['id']}: no note on the flag {flag}"
+        if not case["comment"] or len(set(case["flags"])) != len(case["flags"]):
+            yield f"{case['id']}: no comment, or a flag twice"
+        for fault in checks[kind](case):
+            yield f"{case['id']}: {fault}"
+    for flag in set(content["flags"]) - used:
+        yield f"{kind}: no case has the flag {flag}"
