@@ -23,6 +23,7 @@ constexpr int first_row_of(std::string_view name) {
 constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5"), case_14 = first_row_of("14");
 
 constexpr std::uint8_t used = 1, surface_point = 2;
+constexpr double tie = 1e-12;  // relative: lengths of two diagonals that differ by rounding (reading D9)
 
 // The tetrahedra of one layer of cells. Points are named by lattice vertex, then by number of lattice
 // vertices + number of the cut; a centroid by -1 - its number in the layer.
@@ -175,7 +176,7 @@ class Extraction {
       const Quad& quad = quads.quads[q];
       const double first = (place(tet.name[quad.vi]) - place(tet.name[quad.pje])).squaredNorm();
       const double second = (place(tet.name[quad.vj]) - place(tet.name[quad.pie])).squaredNorm();
-      from_the_first |= static_cast<unsigned>(first <= second) << q;
+      from_the_first |= static_cast<unsigned>(first <= second * (1 + 2 * tie)) << q;
     }
     return from_the_first;
   }

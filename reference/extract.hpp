@@ -11,7 +11,8 @@
 
 namespace tetproof::reference {
 
-/// Which diagonal cuts a quadrilateral that two lattice tetrahedra share (reading D9).
+/// Which diagonal cuts a quadrilateral that two lattice tetrahedra share (reading D9). Lengths that differ by
+/// less than 1e-12, relative, are equal, and decided as `lowest`.
 enum class Diagonals { lowest, shortest };
 
 /// What a point of the grid was made from.

@@ -64,10 +64,9 @@ class Points {
   Index find(const Eigen::Vector3d& p) {
     if (const auto known = known_.find(p); known != known_.end()) return known->second;
     if (!p.allFinite()) throw Divergence{"a point is not finite"};
-    const auto nearest = tree_.nearest(p);
-    if (nearest.distance > reach_) throw Divergence{fmt::format("there is no point {} in the grid", text(p))};
-    known_.emplace(p, nearest.vertex);
-    return nearest.vertex;
+    const double distance = tree_.distance(p);
+    if (distance > reach_) throw Divergence{fmt::format("there is no point {} in the grid", text(p))};
+    return known_.emplace(p, tree_.nearest(p, distance)).first->second;
   }
   void add(const Eigen::Vector3d& p, Index number) { known_.insert_or_assign(p, number); }
   const std::map<Eigen::Vector3d, Index, Lexicographic>& known() const { return known_; }

@@ -2,10 +2,10 @@
 #include "reference/insertion.hpp"
 
 #include <fmt/core.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/error.hpp"
 #include "reference/curvature.hpp"
@@ -21,21 +21,17 @@ double absolute(const VolumeSetting& setting, double mean_volume) {
   return setting.absolute ? setting.value : setting.value * mean_volume;
 }
 
+// Eq. (3.2) for every tetrahedron.
+std::vector<double> distances_of(const Triangulation& grid, const Weighting& weighting) {
+  std::vector<double> distances(grid.numbers());
+  tbb::parallel_for(Index{0}, grid.numbers(),
+                    [&](Index t) { distances[t] = weighting.distance(grid.corner_points(t)); });
+  return distances;
+}
+
 // Eq. (3.1) with what reading D13 leaves to the first grid.
-VolumeLaw law_of(const Grid& grid, const Weighting& weighting, const AdaptOptions& options,
-                 double mean_volume) {
-  const auto& x = grid.mesh.points;
-  const auto largest_of = [&](const tbb::blocked_range<std::size_t>& range, double largest) {
-    for (std::size_t t = range.begin(); t < range.end(); ++t) {
-      const auto& [a, b, c, d] = grid.mesh.tets[t];
-      largest = std::max(largest, weighting.distance(centroid(x[a], x[b], x[c], x[d])));
-    }
-    return largest;
-  };
-  double d1 = options.d1;
-  if (d1 == 0)
-    d1 = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, grid.mesh.tets.size()), 0.0, largest_of,
-                              [](double a, double b) { return std::max(a, b); });
+VolumeLaw law_of(const AdaptOptions& options, double mean_volume, const std::vector<double>& distances) {
+  const double d1 = options.d1 != 0 ? options.d1 : *std::max_element(distances.begin(), distances.end());
   if (d1 == 0) throw InputError("every tetrahedron of the first grid is at distance 0: give d1");
   return {absolute(options.v0, mean_volume), absolute(options.v1, mean_volume), d1, options.p};
 }
@@ -67,10 +63,12 @@ Insertion::Insertion(const Grid& first_grid, const TriangleSurface& surface, con
     : options_(options), listener_(listener), weighting_(surface, options.curvature) {
   if (listener_.phase) listener_.phase("weights");
   const double mean_volume = mean_volume_of(first_grid.mesh);
-  weighting_.set_law(law_of(first_grid, weighting_, options, mean_volume));
+  Triangulation triangulation(first_grid.mesh, first_grid.on_surface);
+  const std::vector<double> distances = distances_of(triangulation, weighting_);
+  weighting_.set_law(law_of(options, mean_volume, distances));
   MapToSurface to_surface;
   if (true_surface) to_surface = [true_surface](const Eigen::Vector3d& p) { return (*true_surface)(p); };
-  grid_.emplace(Triangulation(first_grid.mesh, first_grid.on_surface), weighting_, to_surface);
+  grid_.emplace(std::move(triangulation), weighting_, distances, to_surface);
   check_demand(*grid_, options);
 
   e_avg_goal_ = absolute(options.e_avg, mean_volume);

@@ -37,13 +37,13 @@ Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, d
     throw InputError(
         fmt::format("the longest side of the surface's box is {:.7g}, expected 1e-90 to 1e90", longest));
   const Eigen::Vector3d centre = 0.5 * (box.min() + box.max());
-  const Eigen::Vector3d half = 0.5 * (box.max() - box.min()) * box_scale;
+  const Eigen::Vector3d sides = box.max() - box.min();
+  const Eigen::Vector3d half = 0.5 * sides * box_scale;
 
   if (cells[0] > 0 && cells[1] == 0 && cells[2] == 0) {
     const int along_longest = cells[0];
     for (int axis = 0; axis < 3; ++axis)
-      cells[axis] =
-          std::max(1, static_cast<int>(std::lround(along_longest * (half[axis] / half.maxCoeff()))));
+      cells[axis] = std::max(1, static_cast<int>(std::lround(along_longest * sides[axis] / longest)));
   }
   double vertices = 1;
   for (const int n : cells) {

@@ -23,38 +23,37 @@ struct Vertices {
   }
 };
 
-// The closest vertex found so far. The slack keeps branches that rounding in the tree's own bounds would
-// prune.
-class Closest {
- public:
-  Closest(const Vertices& vertices, double within)
-      : vertices_(vertices), worst_(with_slack(within * within)) {}
+// The slack keeps branches that rounding in the tree's own bounds would prune.
+double with_slack(double squared) {
+  return squared * (1 + 1e-9) + std::numeric_limits<double>::min();
+}
 
-  bool addPoint(double squared, Index vertex) {
-    const bool closer =
-        squared < squared_ ||
-        (squared == squared_ && lexicographically_less(vertices_.points[vertex], vertices_.points[vertex_]));
-    if (!closer) return true;
-    squared_ = squared;
-    vertex_ = vertex;
-    worst_ = std::min(worst_, with_slack(squared));
+// The smallest distance found so far, for nanoflann.
+struct Smallest {
+  double squared = std::numeric_limits<double>::infinity(), worst;
+  explicit Smallest(double within) : worst(with_slack(within * within)) {}
+  bool addPoint(double candidate, Index) {
+    squared = std::min(squared, candidate);
+    worst = std::min(worst, with_slack(squared));
     return true;
   }
-  double worstDist() const { return worst_; }
+  double worstDist() const { return worst; }
   bool full() const { return true; }
+};
 
-  VertexTree::Nearest result() const {
-    if (vertex_ < 0) throw std::logic_error("no surface vertex as close as was promised");
-    return {vertex_, std::sqrt(squared_)};
+// Of the vertices within a distance, the lexicographically smallest, for nanoflann.
+struct FirstWithin {
+  const Vertices& vertices;
+  double limit;
+  Index vertex = -1;
+  bool addPoint(double squared, Index candidate) {
+    if (squared <= limit &&
+        (vertex < 0 || lexicographically_less(vertices.points[candidate], vertices.points[vertex])))
+      vertex = candidate;
+    return true;
   }
-
- private:
-  static double with_slack(double squared) {
-    return squared * (1 + 1e-9) + std::numeric_limits<double>::min();
-  }
-  const Vertices& vertices_;
-  double worst_, squared_ = std::numeric_limits<double>::infinity();
-  Index vertex_ = -1;
+  double worstDist() const { return with_slack(limit); }
+  bool full() const { return true; }
 };
 
 using KdTree =
@@ -73,10 +72,18 @@ VertexTree::VertexTree(std::vector<Eigen::Vector3d> vertices)
 VertexTree::~VertexTree() = default;
 VertexTree::VertexTree(VertexTree&&) noexcept = default;
 
-VertexTree::Nearest VertexTree::nearest(const Eigen::Vector3d& point, double within) const {
-  Closest closest(tree_->vertices, within);
-  tree_->index.findNeighbors(closest, point.data(), nanoflann::SearchParams());
-  return closest.result();
+double VertexTree::distance(const Eigen::Vector3d& point, double within) const {
+  Smallest smallest(within);
+  tree_->index.findNeighbors(smallest, point.data(), nanoflann::SearchParams());
+  if (!std::isfinite(smallest.squared)) throw std::logic_error("no surface vertex as close as was promised");
+  return std::sqrt(smallest.squared);
+}
+
+Index VertexTree::nearest(const Eigen::Vector3d& point, double smallest_distance) const {
+  FirstWithin first{tree_->vertices, smallest_distance * smallest_distance * (1 + 2e-12)};
+  tree_->index.findNeighbors(first, point.data(), nanoflann::SearchParams());
+  if (first.vertex < 0) throw std::logic_error("no surface vertex as close as was promised");
+  return first.vertex;
 }
 
 }  // namespace tetproof::reference

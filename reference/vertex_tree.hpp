@@ -18,15 +18,14 @@ class VertexTree {
   ~VertexTree();
   VertexTree(VertexTree&&) noexcept;
 
-  struct Nearest {
-    Index vertex;     ///< of several at the same distance the one with the lexicographically smallest
-                      ///< coordinates (D15)
-    double distance;  ///< eq. (3.2): sqrt(dx^2 + dy^2 + dz^2), summed in this order [length]
-  };
-  /// The vertex closest to a point: the same as going through all of them. `within`: a distance that is known
-  /// to be enough, to prune by.
-  Nearest nearest(const Eigen::Vector3d& point,
+  /// Eq. (3.2): the smallest distance of a vertex, sqrt(dx^2 + dy^2 + dz^2) summed in this order [length];
+  /// the same as by going through all vertices. `within`: a distance at which a vertex is known to be, to
+  /// prune by.
+  double distance(const Eigen::Vector3d& point,
                   double within = std::numeric_limits<double>::infinity()) const;
+  /// The vertex at the smallest distance. Distances that differ by less than 1e-12, relative, are equal, and
+  /// of several vertices it is the one with the lexicographically smallest coordinates (reading D15).
+  Index nearest(const Eigen::Vector3d& point, double smallest_distance) const;
 
  private:
   struct Tree;

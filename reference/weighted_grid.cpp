@@ -10,11 +10,12 @@
 
 namespace tetproof::reference {
 
-WeightedGrid::WeightedGrid(Triangulation grid, const Weighting& weighting, MapToSurface to_surface)
+WeightedGrid::WeightedGrid(Triangulation grid, const Weighting& weighting,
+                           const std::vector<double>& distances, MapToSurface to_surface)
     : grid_(std::move(grid)), weighting_(weighting), to_surface_(std::move(to_surface)) {
   weights_.resize(grid_.numbers());
   tbb::parallel_for(Index{0}, grid_.numbers(),
-                    [&](Index t) { weights_[t] = weighting_.weigh(grid_.corner_points(t)); });
+                    [&](Index t) { weights_[t] = weighting_.weigh(grid_.corner_points(t), distances[t]); });
   std::vector<Entry> entries(weights_.size());
   std::vector<int> pieces(weights_.size());
   tbb::parallel_for(Index{0}, grid_.numbers(), [&](Index t) { entries[t] = bound(t, pieces[t]); });
@@ -58,7 +59,8 @@ Candidate WeightedGrid::candidate(Index tet, const Split& split) const {
   for (int k = 0; k < split.pieces; ++k) {
     const auto points = piece(corners, split, k);
     const double moved_by = (centroid(points[0], points[1], points[2], points[3]) - centre).norm();
-    found.pieces[k] = weighting_.weigh(points, (whole.d + moved_by) * (1 + 1e-12));
+    const double distance = weighting_.distance(points, (whole.d + moved_by) * (1 + 1e-12));
+    found.pieces[k] = weighting_.weigh(points, distance);
     found.change += found.pieces[k].error;
   }
   found.change -= whole.error;
@@ -149,7 +151,8 @@ Index WeightedGrid::exchange(std::span<const Index> old, std::span<const Corners
   }
   const Index first = grid_.replace(old, fresh);
   for (Index t = first; t < grid_.numbers(); ++t) {
-    weights_.push_back(weighting_.weigh(grid_.corner_points(t)));
+    const auto corners = grid_.corner_points(t);
+    weights_.push_back(weighting_.weigh(corners, weighting_.distance(corners)));
     sum_.add(weights_.back().error);
   }
   for (Index t = first; t < grid_.numbers(); ++t) enqueue(t);

@@ -38,8 +38,9 @@ struct Candidate {
 
 class WeightedGrid {
  public:
-  /// Weighs every tetrahedron. `to_surface` may be empty.
-  WeightedGrid(Triangulation grid, const Weighting& weighting, MapToSurface to_surface);
+  /// Weighs every tetrahedron from its distance, eq. (3.2). `to_surface` may be empty.
+  WeightedGrid(Triangulation grid, const Weighting& weighting, const std::vector<double>& distances,
+               MapToSurface to_surface);
 
   const Triangulation& grid() const { return grid_; }
   const Weight& weight(Index tet) const { return weights_[tet]; }

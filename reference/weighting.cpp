@@ -15,12 +15,16 @@ Weighting::Weighting(const TriangleSurface& surface, bool curvature) : tree_(sur
   kappa_max_ = *most;
 }
 
-Weight Weighting::weigh(const std::array<Eigen::Vector3d, 4>& corners, double within) const {
+double Weighting::distance(const std::array<Eigen::Vector3d, 4>& corners, double within) const {
   const auto& [a, b, c, d] = corners;
-  const VertexTree::Nearest nearest = tree_.nearest(centroid(a, b, c, d), within);
-  Weight w{.d = nearest.distance, .kappa = 0, .omega = 1, .volume = volume(a, b, c, d)};
+  return tree_.distance(centroid(a, b, c, d), within);
+}
+
+Weight Weighting::weigh(const std::array<Eigen::Vector3d, 4>& corners, double distance) const {
+  const auto& [a, b, c, d] = corners;
+  Weight w{.d = distance, .kappa = 0, .omega = 1, .volume = volume(a, b, c, d)};
   if (with_curvature()) {
-    w.kappa = kappas_[nearest.vertex];
+    w.kappa = kappas_[tree_.nearest(centroid(a, b, c, d), distance)];
     w.omega = curvature_weight(w.kappa, kappa_min_, kappa_max_);
   }
   w.desired = desired_volume(w.omega * w.d, law_);

@@ -33,11 +33,11 @@ class Weighting {
   double kappa_max() const { return kappa_max_; }
   const std::vector<double>& kappas() const { return kappas_; }
 
-  /// Eq. (3.2) alone.
-  double distance(const Eigen::Vector3d& centroid) const { return tree_.nearest(centroid).distance; }
-  /// `within`: a distance at which a surface vertex is known to be.
-  Weight weigh(const std::array<Eigen::Vector3d, 4>& corners,
-               double within = std::numeric_limits<double>::infinity()) const;
+  /// Eq. (3.2). `within`: a distance at which a surface vertex is known to be.
+  double distance(const std::array<Eigen::Vector3d, 4>& corners,
+                  double within = std::numeric_limits<double>::infinity()) const;
+  /// The rest, from the distance.
+  Weight weigh(const std::array<Eigen::Vector3d, 4>& corners, double distance) const;
 
   /// No tetrahedron of this volume whose centroid lies within `reach` of a place at distance `d` has a
   /// smaller error: the distance of eq. (3.2) grows by at most as much as its argument moves, and eq. (3.1)

@@ -204,7 +204,7 @@ TEST(Invariants, HoldForEverySettingAndFailForABrokenGrid) {
   TriangleSurface surface;
   surface.vertices = folded.points;
   const Weighting weighting(surface, false);
-  const WeightedGrid grid(Triangulation(folded, std::vector<std::uint8_t>(5, 0)), weighting, {});
+  const WeightedGrid grid(Triangulation(folded, std::vector<std::uint8_t>(5, 0)), weighting, {1, 1}, {});
   EXPECT_THROW(check_invariants(grid), std::logic_error);
 }
 

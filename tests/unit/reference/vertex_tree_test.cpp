@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Through all vertices; ties by coordinates.
-VertexTree::Nearest by_brute_force(const std::vector<Vector3d>& vertices, const Vector3d& p) {
+std::pair<Index, double> by_brute_force(const std::vector<Vector3d>& vertices, const Vector3d& p) {
   const auto key = [&](Index v) {
     const Vector3d d = p - vertices[v];
     return std::tuple(d.x() * d.x() + d.y() * d.y() + d.z() * d.z(), vertices[v].x(), vertices[v].y(),
@@ -33,12 +33,11 @@ TEST(VertexTree, FindsWhatGoingThroughAllVerticesFinds) {
   const VertexTree tree(vertices);
   for (int i = 0; i < 3000; ++i) {
     const Vector3d p(coordinate(), coordinate(), coordinate());
-    const auto expected = by_brute_force(vertices, p);
-    const auto found = tree.nearest(p);
-    ASSERT_EQ(found.vertex, expected.vertex);
-    ASSERT_EQ(found.distance, expected.distance);
-    ASSERT_EQ(tree.nearest(p, expected.distance).vertex, expected.vertex) << "a bound that is reached";
-    ASSERT_EQ(tree.nearest(p, 2 * expected.distance).vertex, expected.vertex);
+    const auto [vertex, distance] = by_brute_force(vertices, p);
+    ASSERT_EQ(tree.distance(p), distance);
+    ASSERT_EQ(tree.distance(p, distance), distance) << "a bound that is reached";
+    ASSERT_EQ(tree.distance(p, 2 * distance), distance);
+    ASSERT_EQ(tree.nearest(p, distance), vertex);
   }
 }
 
@@ -51,14 +50,18 @@ TEST(VertexTree, TiesGoToTheLexicographicallySmallest) {
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y)
       for (int z = 0; z < 5; ++z) {
-        const auto found = tree.nearest({x + 0.5, y + 0.5, z + 0.5});
-        EXPECT_EQ(grid[found.vertex], Vector3d(x, y, z));
-        EXPECT_EQ(found.distance, std::sqrt(0.75));
+        const Vector3d p(x + 0.5, y + 0.5, z + 0.5);
+        EXPECT_EQ(tree.distance(p), std::sqrt(0.75));
+        EXPECT_EQ(grid[tree.nearest(p, tree.distance(p))], Vector3d(x, y, z));
+        // A difference of rounding is none.
+        const Vector3d off = p + Vector3d(1e-14, 2e-14, 1e-14);
+        EXPECT_EQ(grid[tree.nearest(off, tree.distance(off))], Vector3d(x, y, z));
       }
 }
 
 TEST(VertexTree, AWrongPromiseIsOurOwnFault) {
   const VertexTree tree({{0, 0, 0}, {1, 0, 0}});
+  EXPECT_THROW(tree.distance({5, 0, 0}, 3), std::logic_error);
   EXPECT_THROW(tree.nearest({5, 0, 0}, 3), std::logic_error);
 }
 
