@@ -29,10 +29,6 @@ void read(TraceStream& stream, const Take& take) {
   }
 }
 
-std::string name(const Tet& tet) {
-  return fmt::format("tetrahedron at {} of the first grid", at(tet));
-}
-
 }  // namespace
 
 TetKey sorted(std::array<int, 4> points) {
@@ -40,8 +36,8 @@ TetKey sorted(std::array<int, 4> points) {
   return points;
 }
 
-FirstGrid::FirstGrid(TraceStream& reference, const Tolerance& tolerance)
-    : tolerance_(tolerance), points_(tolerance.length) {
+FirstGrid::FirstGrid(TraceStream& reference, const FirstSteps& steps)
+    : steps_(steps), tolerance_(steps.tolerance()), points_(tolerance_.length) {
   read(reference, [&](const auto& record) {
     if constexpr (std::is_same_v<std::decay_t<decltype(record)>, Weight>) {
       Entry entry{{},           record.d,         record.kappa.value_or(none),
@@ -59,6 +55,10 @@ FirstGrid::FirstGrid(TraceStream& reference, const Tolerance& tolerance)
       summary_line_ = reference.line();
     }
   });
+}
+
+std::string FirstGrid::name(const Tet& tet) const {
+  return fmt::format("tetrahedron at {} of the first grid", at(tet));
 }
 
 Weight FirstGrid::record(const Entry& entry) const {
@@ -147,6 +147,10 @@ void FirstGrid::compare_summary(const std::optional<trace::FirstGrid>& other, st
 void FirstGrid::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
   std::optional<trace::FirstGrid> summary;
   std::int64_t summary_line = 0;
+  const auto where = [&](const Tet& tet) {
+    const Point centroid = (tet[0] + tet[1] + tet[2] + tet[3]) / 4;
+    return fmt::format("{} (in lattice {})", name(tet), steps_.lattice_tetrahedron(centroid));
+  };
   bool any = false;
   read(other, [&](const auto& record) {
     const std::int64_t line = other.line();
@@ -163,7 +167,7 @@ void FirstGrid::compare(TraceStream& other, Differences& differences, std::vecto
       }
       differences.add(Step::first_grid, entry ? entry->line : 0, line, [&] {
         return Differences::Difference{
-            fmt::format("{}: {} in other", name(record.tet), entry ? "twice" : "only"),
+            fmt::format("{}: {} in other", where(record.tet), entry ? "twice" : "only"),
             {entry ? entry->line : 0, entry ? "has it once" : "nothing",
              entry ? to_line(this->record(*entry)) : ""},
             {line, text(record.tet), to_line(record)}};
@@ -182,7 +186,7 @@ void FirstGrid::compare(TraceStream& other, Differences& differences, std::vecto
     if (!entry.partner)
       differences.add(Step::first_grid, entry.line, 0, [&] {
         const Weight weight = record(entry);
-        return Differences::Difference{fmt::format("{}: only in reference", name(weight.tet)),
+        return Differences::Difference{fmt::format("{}: only in reference", where(weight.tet)),
                                        {entry.line, text(weight.tet), to_line(weight)},
                                        {0, "nothing"}};
       });

@@ -17,8 +17,8 @@ TetKey sorted(std::array<int, 4> points);
 /// The reference's first grid, and the comparison of the other's with it.
 class FirstGrid {
  public:
-  /// Reads up to the first insertion or the end.
-  FirstGrid(TraceStream& reference, const Tolerance& tolerance);
+  /// Reads up to the first insertion or the end. `steps`: the same reference's, which outlives this.
+  FirstGrid(TraceStream& reference, const FirstSteps& steps);
 
   void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
 
@@ -37,6 +37,9 @@ class FirstGrid {
   void compare_summary(const std::optional<trace::FirstGrid>& other, std::int64_t other_line,
                        Differences& differences) const;
 
+  std::string name(const trace::Tet& tet) const;
+
+  const FirstSteps& steps_;
   Tolerance tolerance_;
   PointIndex points_;
   std::vector<Entry> tets_;

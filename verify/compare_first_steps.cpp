@@ -6,6 +6,9 @@ namespace {
 
 using namespace trace;
 
+constexpr std::array<const char*, 6> orders{"xyz", "xzy", "yxz",
+                                            "yzx", "zxy", "zyx"};  // of the axes, as `rows` has them
+
 std::array<int, 6> key(const Cut& cut) {
   const auto [a, b] = std::minmax(cut.edge[0], cut.edge[1]);
   return {a[0], a[1], a[2], b[0], b[1], b[2]};
@@ -32,15 +35,22 @@ std::string word(char indicator) {
   return indicator == '+' ? "interior (+1)" : indicator == '-' ? "exterior (-1)" : "on the surface (0)";
 }
 
-std::string differing(const Settings& a, const Settings& b, const Tolerance& tolerance) {
-  std::string text;
+// The settings that differ: for the sentence, and for each side.
+struct Differing {
+  std::string what, reference, other;
+};
+
+Differing differing(const Settings& a, const Settings& b, const Tolerance& tolerance) {
+  Differing all;
   const auto compare = [&](const char* key, const auto& reference, const auto& other) {
     bool same = reference == other;
     if constexpr (std::is_same_v<std::decay_t<decltype(reference)>, double>)
       same = tolerance.same(reference, other);
-    if (!same)
-      text += fmt::format("{}{} is {} in reference, {} in other", text.empty() ? "" : "; ", key, reference,
-                          other);
+    if (same) return;
+    const char* const separator = all.what.empty() ? "" : "; ";
+    all.what += fmt::format("{}{} is {} in reference, {} in other", separator, key, reference, other);
+    all.reference += fmt::format("{}{} {}", separator, key, reference);
+    all.other += fmt::format("{}{} {}", separator, key, other);
   };
   compare("region", a.region, b.region);
   compare("box_scale", a.box_scale, b.box_scale);
@@ -54,7 +64,7 @@ std::string differing(const Settings& a, const Settings& b, const Tolerance& tol
   if (a.improve != "none" || b.improve != "none") compare("improve_below", a.improve_below, b.improve_below);
   compare("points", a.points, b.points);
   compare("past_dilution", a.past_dilution, b.past_dilution);
-  return text;
+  return all;
 }
 
 std::string says(const Lattice& lattice) {
@@ -87,14 +97,13 @@ void compare(const Indicators& a, std::int64_t line, const Indicators& b, std::i
 
 void compare(const Rows& a, std::int64_t line, const Rows& b, std::int64_t other_line,
              Differences& differences) {
-  constexpr const char* axes[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
   for (int i = 0; i < 6; ++i)
     if (a.rows[i] != b.rows[i])
       differences.add(Step::table2, line, other_line, [&] {
         return Differences::Difference{
             fmt::format(
                 "tetrahedron {} of cell {} is cut by row {} of Table 2 in reference, by row {} in other",
-                axes[i], text(a.cell), a.rows[i], b.rows[i]),
+                orders[i], text(a.cell), a.rows[i], b.rows[i]),
             {line, a.rows[i], to_line(a)},
             {other_line, b.rows[i], to_line(b)}};
       });
@@ -213,12 +222,14 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
     }
   });
 
-  if (const std::string what = differing(settings_, settings, tolerance_); !what.empty())
+  if (const Differing all = differing(settings_, settings, tolerance_); !all.what.empty())
     differences.add(Step::settings, settings_line_, settings_line, [&] {
-      return Differences::Difference{
-          "the settings differ: " + what,
-          {settings_line_, settings_line_ ? "" : "has no settings record", to_line(settings_)},
-          {settings_line, settings_line ? "" : "has no settings record", to_line(settings)}};
+      const auto side = [](std::int64_t line, const std::string& says, const Settings& of) {
+        return Says{line, line ? says : "no settings record: the defaults", to_line(of)};
+      };
+      return Differences::Difference{"the settings differ: " + all.what,
+                                     side(settings_line_, all.reference, settings_),
+                                     side(settings_line, all.other, settings)};
     });
 
   const auto rest = [&](const auto& kind, const char* of) {
@@ -232,6 +243,25 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   rest(cuts_, "cuts");
   rest(rows_, "rows of Table 2");
   rest(mapped_, "mapped points");
+}
+
+std::string FirstSteps::lattice_tetrahedron(const Point& point) const {
+  std::array<int, 3> cell, axes{0, 1, 2};
+  Point inside;  // the cell, 0 to 1
+  for (int i = 0; i < 3; ++i) {
+    const double at =
+        (point[i] - lattice_.box[0][i]) / (lattice_.box[1][i] - lattice_.box[0][i]) * lattice_.cells[i];
+    cell[i] = static_cast<int>(std::clamp(std::floor(at), 0.0, lattice_.cells[i] - 1.0));
+    inside[i] = at - cell[i];
+  }
+  // The path of a tetrahedron's vertices goes along the axis of its largest coordinate first (reading D2).
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return inside[a] > inside[b]; });
+  const std::string order{"xyz"[axes[0]], "xyz"[axes[1]], "xyz"[axes[2]]};
+  std::string text = fmt::format("tetrahedron {} of cell {}", order, verify::text(cell));
+  if (const Rows* rows = rows_.find(cell))
+    text += fmt::format(", row {} of Table 2",
+                        rows->rows[std::find(orders.begin(), orders.end(), order) - orders.begin()]);
+  return text;
 }
 
 }  // namespace tetproof::verify

@@ -34,6 +34,10 @@ class FirstSteps {
   /// the two tells it.
   void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
 
+  /// "tetrahedron xyz of cell (i, j, k), row 12a of Table 2": the lattice tetrahedron of the reference that
+  /// holds a point; without the row where the reference does not tell it.
+  std::string lattice_tetrahedron(const trace::Point& point) const;
+
   const Tolerance& tolerance() const { return tolerance_; }
   const trace::Settings& settings() const { return settings_; }
 

@@ -30,18 +30,19 @@ struct Split {
   double e_avg() const { return flips.empty() ? insertion.e_avg : flips.back().flip.e_avg; }
 };
 
-std::string says(const Split& split) {
-  return fmt::format("splits {} by row {}, E'avg {}", text(split.insertion.tet), split.insertion.row,
-                     split.insertion.e_avg);
-}
-Says side(const Split& split) {
-  return {split.line, says(split), to_line(split.insertion)};
+// `more`: what else is known of it.
+Says side(const Split& split, const std::string& more = "") {
+  return {split.line,
+          fmt::format("row {}, E'avg {}{}: {}", split.insertion.row, split.insertion.e_avg, more,
+                      text(split.insertion.tet)),
+          to_line(split.insertion)};
 }
 
 std::string place(const Split& split) {
   const char* const simplex[] = {"edge", "face", "tetrahedron"};
-  std::string text = simplex[split.insertion.replaced.size() - 2];
-  for (const int i : split.insertion.replaced) text += " " + verify::text(split.insertion.tet[i]);
+  std::string text = fmt::format("in the {}", simplex[split.insertion.replaced.size() - 2]);
+  for (const int i : split.insertion.replaced)
+    text += fmt::format(" {}", verify::text(split.insertion.tet[i]));
   return text;
 }
 
@@ -115,7 +116,7 @@ class Insertions {
     const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift) <= size;
     if (waiting_.empty()) {
       if (a.tet == b.tet) return same_tet(n, a, b, false);
-      if (!equally_good) return diverge(n, Step::choice, choice(n, a, b), side(a), side(b));
+      if (!equally_good) return diverge_in_choice(n, a, b);
       tie_ = {n, a, b};
       group_ = 0;
     } else if (!equally_good) {
@@ -160,8 +161,7 @@ class Insertions {
       return diverge(n, Step::table4,
                      fmt::format("{} by row {} of Table 4, but the new point lies in different simplices",
                                  both, a.insertion.row),
-                     {a.line, "in the " + place(a), to_line(a.insertion)},
-                     {b.line, "in the " + place(b), to_line(b.insertion)});
+                     {a.line, place(a), to_line(a.insertion)}, {b.line, place(b), to_line(b.insertion)});
     if (!tolerance_.same(a.insertion.point, b.insertion.point))
       return diverge(n, Step::point,
                      fmt::format("{} by row {}, but the new points are {:.3g} apart", both, a.insertion.row,
@@ -249,6 +249,18 @@ class Insertions {
         "insertion {}: reference splits the tetrahedron at {} by row {}, other the one at {} by row {}; "
         "E'avg {} against {}",
         n, at(a.insertion.tet), a.insertion.row, at(b.insertion.tet), b.insertion.row, one, two);
+  }
+
+  // Where the other one splits that tetrahedron too, its row of Table 4 there may tell what is wrong here.
+  bool diverge_in_choice(std::int64_t n, const Split& a, const Split& b) {
+    const auto later = [&](TraceStream& stream, const Split& wanted, const char* who) {
+      for (std::int64_t i = n + 1; const std::optional<Split> split = next(stream, i); ++i)
+        if (split->tet == wanted.tet)
+          return fmt::format(" ({} splits it as insertion {}, by row {})", who, i, split->insertion.row);
+      return fmt::format(" ({} never splits it)", who);
+    };
+    return diverge(n, Step::choice, choice(n, a, b), side(a, later(other_, a, "other")),
+                   side(b, later(reference_, b, "reference")));
   }
 
   bool diverge(std::int64_t n, Step step, const std::string& what, const Says& reference, const Says& other) {

@@ -37,7 +37,7 @@ TraceComparison compare_traces(const std::string& other_path, const std::string&
   differences.tell(result);
   if (!differences.none()) return result;
 
-  FirstGrid first(reference, steps.tolerance());
+  FirstGrid first(reference, steps);
   first.compare(other, differences, result.notes);
   differences.tell(result);
   if (!differences.none()) return result;

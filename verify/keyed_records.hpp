@@ -74,6 +74,12 @@ class KeyedRecords {
         });
   }
 
+  /// The reference's record; nullptr for none.
+  const R* find(const Key& key) const {
+    const auto found = entries_.find(key);
+    return found == entries_.end() ? nullptr : &found->second.record;
+  }
+
   bool empty() const { return entries_.empty(); }
   /// One of the two traces leaves these records out; known at its end.
   bool left_out() const { return always_there_ && entries_.empty() == other_has_any_; }

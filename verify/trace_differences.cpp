@@ -16,7 +16,7 @@ const std::vector<TraceStep>& trace_steps() {
       {"cut", "step (ii), Table 3"},
       {"table-2", "step (iv), Tables 1 and 2"},
       {"mapped", "step (iv), reading D12"},
-      {"first-grid", "step (iv)"},
+      {"first-grid", "step (iv), Table 2"},
       {"distance", "step (v), eq. (3.2)"},
       {"curvature", "step (v), reading D15"},
       {"weight", "step (v), eq. (3.6)"},

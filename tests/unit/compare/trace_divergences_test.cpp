@@ -91,12 +91,17 @@ const std::vector<Case> cases{
      "cut (0.5, 0, 0) is taken to the parametric surface at (0.5, 0, -0.01) in reference, at (0.5, 0, 0) in "
      "other, 0.01 apart"},
     {"FirstGridMissesOne", [](Records& r) { drop(r, weight_line + 2); }, "first-grid", 0,
-     in_file(weight_line + 2), 0, "tetrahedron at (0.75, 0.375, 0.875) of the first grid: only in reference"},
+     in_file(weight_line + 2), 0,
+     "tetrahedron at (0.75, 0.375, 0.875) of the first grid (in lattice tetrahedron zxy of cell (0, 0, 0), "
+     "row E8 of Table 2): only in reference"},
     {"FirstGridHasAnother", [](Records& r) { at<Weight>(r, weight_line).tet[2] = d; }, "first-grid", 0,
-     in_file(weight_line), 0, "tetrahedron at (0.75, 0.375, 0.125) of the first grid: only in reference"},
+     in_file(weight_line), 0,
+     "tetrahedron at (0.75, 0.375, 0.125) of the first grid (in lattice tetrahedron xyz of cell (0, 0, 0), "
+     "row 1 of Table 2): only in reference"},
     {"FirstGridHasOneTwice", [](Records& r) { r.insert(r.begin() + weight_line, r[weight_line + 1]); },
      "first-grid", 0, in_file(weight_line + 1), in_file(weight_line + 2),
-     "tetrahedron at (1.25, 0.625, 0.125) of the first grid: twice in other"},
+     "tetrahedron at (1.25, 0.625, 0.125) of the first grid (in lattice tetrahedron yxz of cell (1, 0, 0), "
+     "row 14 of Table 2): twice in other"},
     {"FirstGridsCount", [](Records& r) { at<FirstGrid>(r, first_grid_line).tets = 5; }, "first-grid", 0,
      in_file(first_grid_line), in_file(first_grid_line),
      "the number of tetrahedra of the first grid is 4 in reference, 5 in other"},
@@ -314,9 +319,10 @@ TEST(DivergenceReport, SaysWhereAndWhatOfBoth) {
       "insertion 3: reference splits the tetrahedron at (0.75, 0.375, 0.875) by row 4c, other the one at "
       "(1.25, 0.625, 0.875) by row 4c; "
       "E'avg 0.17 against 0.171\n"
-      "  reference (reference.jsonl:23): splits (0, 0, 1) (2, 0, 1) (0, 1, 1) (1, 0.5, 0.5) by row 4c, E'avg "
-      "0.17\n"
-      "  other (other.jsonl:23): splits (2, 0, 1) (0, 1, 1) (2, 1, 1) (1, 0.5, 0.5) by row 4c, E'avg 0.171\n"
+      "  reference (reference.jsonl:23): row 4c, E'avg 0.17 (other never splits it): (0, 0, 1) (2, 0, 1) (0, "
+      "1, 1) (1, 0.5, 0.5)\n"
+      "  other (other.jsonl:23): row 4c, E'avg 0.171 (reference splits it as insertion 4, by row 2b): (2, 0, "
+      "1) (0, 1, 1) (2, 1, 1) (1, 0.5, 0.5)\n"
       "  the same until then: 2 insertions and 2 flips\n");
   const nlohmann::json json = nlohmann::json::parse(verify::comparison_json(result));
   EXPECT_EQ(json.at("compared"), "traces");
