@@ -173,16 +173,19 @@ Json weights(const Json& input) {
   const std::vector<double> kappa =
       input["kappa"].is_null() ? std::vector<double>{} : input["kappa"].get<std::vector<double>>();
   struct One {
-    VertexTree::Nearest nearest;
+    double d;
+    Index nearest;
     double volume;
   };
   std::vector<One> all;
   double volumes = 0, d1 = 0, sum = 0;
   for (const std::array<int, 4> t : input["tetrahedra"]) {
     const auto &a = at[t[0]], &b = at[t[1]], &c = at[t[2]], &d = at[t[3]];
-    all.push_back({tree.nearest(centroid(a, b, c, d)), volume(a, b, c, d)});
+    const Eigen::Vector3d centre = centroid(a, b, c, d);
+    const double distance = tree.distance(centre);
+    all.push_back({distance, tree.nearest(centre, distance), volume(a, b, c, d)});
     volumes += all.back().volume;
-    d1 = std::max(d1, all.back().nearest.distance);
+    d1 = std::max(d1, distance);
   }
   const Json& given = input["law"];
   const double unit = given["unit"] == "absolute" ? 1 : volumes / static_cast<double>(all.size());
@@ -190,15 +193,14 @@ Json weights(const Json& input) {
                       given["d1"].is_null() ? d1 : given["d1"].get<double>(), given["p"]};
   Json tets = Json::array();
   for (const One& one : all) {
-    const auto& [vertex, d] = one.nearest;
     double omega = 1;
     if (!kappa.empty())
-      omega = curvature_weight(kappa[vertex], *std::min_element(kappa.begin(), kappa.end()),
+      omega = curvature_weight(kappa[one.nearest], *std::min_element(kappa.begin(), kappa.end()),
                                *std::max_element(kappa.begin(), kappa.end()));
-    const double desired = desired_volume(omega * d, law), error = volume_error(one.volume, desired);
+    const double desired = desired_volume(omega * one.d, law), error = volume_error(one.volume, desired);
     sum += error;
-    tets.push_back({{"nearest", vertex},
-                    {"d", d},
+    tets.push_back({{"nearest", one.nearest},
+                    {"d", one.d},
                     {"omega", omega},
                     {"volume", one.volume},
                     {"desired", desired},

@@ -4,6 +4,7 @@ from fractions import Fraction as F
 
 from exact import Draws, dot, mean, power, root, sub, volume
 
+TIE = F(1, 10**12)  # relative: distances that differ by rounding
 EXPONENTS = (F(1, 4), F(1, 3), F(1, 2), F(1), F(2), F(3))  # those of the page
 
 # --- eq. (3.1)
@@ -67,7 +68,8 @@ def curvature_weight():
 WEIGHTS_FLAGS = {
     "vertices-not-triangles": "The distance goes to the surface's vertices, as eq. (3.2) says, not to its triangles (reading D14).",
     "centroid": "The distance starts at the centroid, not at the closest vertex of the tetrahedron.",
-    "nearest-tie": "Two surface vertices are equally close and have different curvature: the lexicographically smallest counts (reading D15).",
+    "nearest-tie": "Several surface vertices are equally close, but perhaps for rounding (1e-12, relative), and have different curvature: "
+                   "the lexicographically smallest counts (reading D15).",
     "default-d1": "d1 is not given: the largest unweighted distance of this grid (reading D13).",
     "mean-volume": "V0 and V1 are multiples of this grid's mean volume (reading D13).",
     "curvature": "The weighted distance takes the place of d in eq. (3.1) (eq. (3.6)).",
@@ -81,7 +83,9 @@ def weigh(points, tets, surface, law, kappa):
     rows = []
     for t in tets:
         m = mean([points[v] for v in t])
-        d2, _, near = min((dot(sub(m, x), sub(m, x)), x, k) for k, x in enumerate(surface))
+        squares = [dot(sub(m, x), sub(m, x)) for x in surface]
+        d2 = min(squares)
+        _, near = min((x, k) for k, x in enumerate(surface) if squares[k] <= d2 * (1 + 2 * TIE))
         rows.append((root(d2, 2), near))
     unit = sum(volumes) / len(volumes) if law["unit"] == "mean-volume" else 1
     d1 = law["d1"] if law["d1"] is not None else max(d for d, _ in rows)
@@ -136,6 +140,10 @@ def weights():
             surface, kappa = surface[::-1], kappa[::-1]
         yield case("tie" + "-reversed" * shuffle, ["nearest-tie", "curvature", "kappa-range"], "four surface vertices at distance 4; the smallest is (-1,3,3)", one,
                    [[0, 1, 2, 3]], surface, absolute, kappa)
+    yield case("near-tie", ["nearest-tie", "curvature", "kappa-range"], "the smallest of them is farther by 2^-42", one, [[0, 1, 2, 3]],
+               [(F(3), F(3), F(7)), (F(-1) - F(1, 2**42), F(3), F(3)), (F(7), F(3), F(3))], absolute, [F(1), F(4), F(2)])
+    yield case("no-tie", ["curvature", "kappa-range"], "the lexicographically smallest is farther by 2^-20", one, [[0, 1, 2, 3]],
+               [(F(3), F(3), F(7)), (F(-1) - F(1, 2**20), F(3), F(3)), (F(7), F(3), F(3))], absolute, [F(1), F(4), F(2)])
     yield case("kappa-range", ["kappa-range", "curvature"], "the largest curvature is at a vertex that is closest to no tetrahedron", one, [[0, 1, 2, 3]],
                [tuple(map(F, p)) for p in ((3, 3, 5), (50, 0, 0), (0, 50, 0))], absolute, [F(2), F(0), F(16)])
     yield case("kappa-equal", ["curvature"], "one curvature everywhere: the weight is 1", one, [[0, 1, 2, 3]],

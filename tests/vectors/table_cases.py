@@ -37,6 +37,7 @@ TABLE2 = {
     "14": "v1 v2 v3 v4",
     "E8": "v1 v2 v3 v4",
 }
+TIE = Fraction(1, 10**12)  # relative: lengths that differ by rounding
 CASE = {tuple(line.split(":")[0].split()): line.split(": ")[1] for line in TABLE1}
 
 
@@ -87,8 +88,8 @@ TABLE2_FLAGS = {
     "lowest": "The diagonal of a shared quadrilateral starts at the lower-numbered of the two interior vertices (reading D9). Any "
               "rule that does not look at the shared face alone leaves crossed diagonals.",
     "shortest": "The diagonal of a shared quadrilateral is the shorter one (reading D9).",
-    "shortest-tie": "Both diagonals have the same length: the one of the rule `lowest` is taken. Comparing with a tolerance, or with "
-                    "< where <= is meant, takes the other on one side of the face.",
+    "shortest-tie": "Both diagonals have the same length, but perhaps for rounding (1e-12, relative): the one of the rule `lowest` is "
+                    "taken. Without that, rounding decides, or the order in which a tetrahedron names the two.",
     "mended-12a": "Row 12a as printed names a point p3 that does not exist (reading E1).",
     "centroid": "The diagonals of the prism run in a circle: eight tetrahedra around the centroid of the six points (reading E2), "
                 "not of the prism's volume, nor of the lattice tetrahedron.",
@@ -122,7 +123,7 @@ def apply_table2(numbers, places, after, cuts, rule, centroid_inside):
         if after[v[i]] == after[v[j]] == 1 and after[v[e]] == -1:
             pair = (f"v{i + 1}", f"p{j + 1}{e + 1}"), (f"v{j + 1}", f"p{i + 1}{e + 1}")
             lengths = [dot(sub(place[a], place[b]), sub(place[a], place[b])) for a, b in pair]
-            diagonals.append(pair[1] if rule == "shortest" and lengths[1] < lengths[0] else pair[0])
+            diagonals.append(pair[1] if rule == "shortest" and lengths[1] * (1 + 2 * TIE) < lengths[0] else pair[0])
     rows = [row for row in rows_of(case)
             if all(any(a in tet and b in tet for tet in tets_of(row)) for a, b in diagonals)]
     if len(rows) != 1:  # the diagonals leave no choice
@@ -154,7 +155,7 @@ class Cell:
         for a, b in combinations(self.numbers, 2):
             inner, outer = (a, b) if self.after[a] > self.after[b] else (b, a)
             if self.after[a] * self.after[b] < 0:
-                t = Fraction(steps(), 16)
+                t = Fraction(steps()) / 16
                 self.cuts[frozenset((a, b))] = (self.places[outer] if self.before[outer] == 0 else
                                                 self.places[inner] if self.before[inner] == 0 else
                                                 along(self.places[inner], self.places[outer], t))
@@ -207,6 +208,8 @@ def table2():
         for signs in ("++--", "++0-", "+++-"):
             cell = Cell(draws, order, draws.shuffled(signs), (Fraction(4),) * 3, lambda: 8)
             yield cell.case("tie", "shortest", ["shortest-tie"], "cuts at the midpoints of a cube's tetrahedron: some diagonals tie")
+            cell = Cell(draws, order, draws.shuffled(signs), (Fraction(4),) * 3, lambda: 8 + Fraction(draws.between(-1, 1), 2**42))
+            yield cell.case("near-tie", "shortest", ["shortest-tie"], "cuts at the midpoints but for a rounding: the same diagonals")
     # Cuts at vertices that were 0 before Table 3.
     for n, kinds in enumerate(combinations_with_replacement("+P0M-", 4)):
         if not set("PM") & set(kinds) or not set("+P") & set(kinds) or not set("M-") & set(kinds):
