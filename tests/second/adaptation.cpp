@@ -219,10 +219,15 @@ void Adaptation::weigh_first_grid(std::vector<trace::Record>& records) {
 }
 
 void Adaptation::run(std::vector<trace::Record>& records) {
-  std::string stopped = tets_.empty() ? "no-gain" : "";
-  if (settings_.insertions == 0) stopped = "not-asked";
-  if (stopped.empty()) weigh_first_grid(records);
-  double lowest = tets_.empty() ? 0 : average();
+  const bool positive =
+      std::all_of(tets_.begin(), tets_.end(), [&](const auto& entry) {  // it may not be, if literal
+        const Corners c = corners(entry.second.v);
+        return orientation(c[0], c[1], c[2], c[3]) > 0;
+      });
+  const bool asked = settings_.insertions != 0 && !tets_.empty() && positive;
+  std::string stopped = asked ? "" : "not-asked";
+  if (asked) weigh_first_grid(records);
+  double lowest = asked ? average() : 0;
   std::int64_t since_lowest = 0;
   while (stopped.empty()) {
     if (insertions_ == settings_.insertions) stopped = "points";
@@ -268,7 +273,7 @@ void Adaptation::run(std::vector<trace::Record>& records) {
                                .refused = refused_,
                                .points = static_cast<std::int64_t>(points_.size()),
                                .tets = static_cast<std::int64_t>(tets_.size()),
-                               .e_avg = settings_.insertions == 0 || tets_.empty() ? 0 : average()});
+                               .e_avg = asked ? average() : 0});
 }
 
 TetMesh Adaptation::mesh() const {

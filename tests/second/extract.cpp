@@ -64,7 +64,8 @@ class Extraction {
     if (!settings_.shortest_diagonals) return lower;
     const Point pv = place({std::min(v, x), std::max(v, x)}), pw = place({std::min(w, x), std::max(w, x)});
     const double from_v = (lattice_.points.at(v) - pw).norm(), from_w = (lattice_.points.at(w) - pv).norm();
-    return from_v != from_w ? from_v < from_w : lower;
+    const bool tie = std::abs(from_v - from_w) <= 1e-12 * std::max(from_v, from_w);
+    return tie ? lower : from_v < from_w;
   }
 
   Point place(const std::pair<int, int>& edge) const { return indicators_.cuts.at(edge); }

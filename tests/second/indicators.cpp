@@ -18,11 +18,12 @@ Lattice make_lattice(const TriangleSurface& surface, const Settings& settings) {
   lattice.high = centre + half;
   const Point size = lattice.high - lattice.low;
   lattice.cells = settings.cells;
-  if (settings.cells[1] == 0)  // one number, along the longest side (D1)
-    for (int axis = 0; axis < 3; ++axis) {
-      const double edge = size.maxCoeff() / settings.cells[0];
-      lattice.cells[axis] = std::max(1, static_cast<int>(std::lround(size[axis] / edge)));
-    }
+  if (settings.cells[1] == 0) {  // one number, along the longest side (D1)
+    const Point side = high - low;
+    for (int axis = 0; axis < 3; ++axis)
+      lattice.cells[axis] =
+          std::max(1, static_cast<int>(std::lround(settings.cells[0] * side[axis] / side.maxCoeff())));
+  }
   const auto& n = lattice.cells;
   lattice.shortest_cell_edge = std::min({size[0] / n[0], size[1] / n[1], size[2] / n[2]});
 

@@ -67,6 +67,8 @@ class Adaptation {
  public:
   Adaptation(const TriangleSurface& surface, const Grid& grid, const Settings& settings);
   void run(std::vector<trace::Record>& records);
+  /// Section 4 on a set of tetrahedra, by number.
+  void improve(std::set<std::int64_t> set, std::vector<trace::Record>& records);
   TetMesh mesh() const;
 
  private:
@@ -84,7 +86,6 @@ class Adaptation {
 
   std::set<std::int64_t> surroundings(const std::array<int, 4>& replaced,
                                       const std::set<std::int64_t>& pieces) const;
-  void improve(std::set<std::int64_t> set, std::vector<trace::Record>& records);
   struct FlipPlan;
   std::optional<FlipPlan> best_flip(const std::set<std::int64_t>& set) const;
   std::optional<FlipPlan> plan(const std::set<std::int64_t>& old) const;

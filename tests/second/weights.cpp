@@ -85,14 +85,13 @@ double signed_volume(const Corners& t) {
 std::pair<double, std::size_t> distance(const TriangleSurface& surface, const Corners& t, Mistake mistake) {
   const Point centroid = (t[0] + t[1] + t[2] + t[3]) / 4;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t closest = 0;
-  for (std::size_t k = 0; k < surface.vertices.size(); ++k) {
-    const double d = (centroid - surface.vertices[k]).norm();
-    if (d < least || (d == least && lexicographically_less(surface.vertices[k], surface.vertices[closest]))) {
-      least = d;
+  for (const Point& x : surface.vertices) least = std::min(least, (centroid - x).norm());
+  std::size_t closest = surface.vertices.size();  // of those that are closest but for rounding (D15)
+  for (std::size_t k = 0; k < surface.vertices.size(); ++k)
+    if ((centroid - surface.vertices[k]).norm() <= least * (1 + 1e-12) &&
+        (closest == surface.vertices.size() ||
+         lexicographically_less(surface.vertices[k], surface.vertices[closest])))
       closest = k;
-    }
-  }
   if (mistake == Mistake::distance_to_triangles)
     for (const auto& [a, b, c] : surface.triangles) {
       const Point at =
