@@ -36,6 +36,7 @@ const std::vector<Job> jobs{
     {"tetproof-mesh", {"SURFACE", "-o", "OUT", "--cells", "6"}, true},
     {"tetproof-verify", {"MESH"}},
     {"tetproof-verify", {"MESH", "SURFACE", "--fidelity", "0.2", "--voxels", "16"}},
+    {"tetproof-compare", {"MESH", "MESH"}},
     {"tetproof-convert", {"MESH", "OUT"}, true},
 };
 
@@ -102,7 +103,8 @@ TEST_P(CommonBehaviour, VersionNamesTheLibraries) {
   EXPECT_TRUE(std::regex_search(version.out, std::regex("^" + GetParam().name + " \\d+\\.\\d+\\.\\d+\n")))
       << version;
   std::vector<std::string> libraries{"fmt", "Eigen", "oneTBB", "CLI11"};
-  if (GetParam().name != "tetproof-convert") libraries.insert(libraries.end(), {"CGAL", "OpenVDB"});
+  if (GetParam().name == "tetproof-mesh" || GetParam().name == "tetproof-verify")
+    libraries.insert(libraries.end(), {"CGAL", "OpenVDB"});
   for (const std::string& library : libraries)
     EXPECT_TRUE(std::regex_search(version.out, std::regex("\n" + library + " \\d+\\.\\d+"))) << version;
 }
@@ -229,6 +231,8 @@ TEST(LinkedLibraries, OnlyWhatTheJobNeeds) {
   for (const Case& c :
        std::vector<Case>{{"tetproof-mesh", {"libgmsh", "libvtk", "libtet.", "libgtest"}},
                          {"tetproof-verify", {"libgmsh", "libvtk", "libtet.", "libgtest"}},
+                         {"tetproof-compare",
+                          {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb", "libgmp", "libmpfr"}},
                          {"tetproof-convert",
                           {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb", "libgmp", "libmpfr"}}}) {
     SCOPED_TRACE(c.program);

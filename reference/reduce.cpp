@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/reduce.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "io/error.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+namespace simplification = CGAL::Surface_mesh_simplification;
+namespace processing = CGAL::Polygon_mesh_processing;
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+// Moves the surface to the origin and to a size around 1, by a power of two: the costs are polynomials of
+// degree 6 in the coordinates.
+struct Frame {
+  Eigen::Vector3d centre;
+  int exponent = 0;
+
+  explicit Frame(const TriangleSurface& surface) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : surface.vertices) box.extend(p);
+    centre = 0.5 * (box.min() + box.max());
+    std::frexp((box.max() - box.min()).maxCoeff(), &exponent);
+  }
+  Point in(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d q = p - centre;
+    return {std::ldexp(q.x(), -exponent), std::ldexp(q.y(), -exponent), std::ldexp(q.z(), -exponent)};
+  }
+  Eigen::Vector3d out(const Point& p) const {
+    return centre + Eigen::Vector3d(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                    std::ldexp(p.z(), exponent));
+  }
+};
+
+Mesh mesh_of(const TriangleSurface& surface, const Frame& frame) {
+  std::vector<std::array<std::size_t, 3>> polygons;
+  for (const auto& t : surface.triangles) {
+    std::array<std::size_t, 3> polygon;
+    for (int i = 0; i < 3; ++i) {
+      if (t[i] < 0 || t[i] >= static_cast<Index>(surface.vertices.size()))
+        throw InputError(fmt::format("the surface cannot be reduced: it has no vertex {}", t[i]));
+      polygon[i] = static_cast<std::size_t>(t[i]);
+    }
+    polygons.push_back(polygon);
+  }
+  if (!processing::is_polygon_soup_a_polygon_mesh(polygons))
+    throw InputError("the surface cannot be reduced: it is not 2-manifold, or not consistently oriented");
+  std::vector<Point> points;
+  for (const Eigen::Vector3d& p : surface.vertices) points.push_back(frame.in(p));
+  Mesh mesh;
+  processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  if (!CGAL::is_closed(mesh)) throw InputError("the surface cannot be reduced: it is open");
+  return mesh;
+}
+
+struct EnoughTriangles {
+  std::size_t triangles;
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
+    return profile.surface_mesh().number_of_faces() <= triangles;
+  }
+};
+
+void collapse_edges(Mesh& mesh, std::size_t triangles) {
+  const simplification::Bounded_normal_change_placement<simplification::LindstromTurk_placement<Mesh>>
+      placement;
+  simplification::edge_collapse(
+      mesh, EnoughTriangles{triangles},
+      CGAL::parameters::get_cost(simplification::LindstromTurk_cost<Mesh>()).get_placement(placement));
+}
+
+// A vertex that no collapse moved is where it was, to the bit.
+TriangleSurface surface_of(const Mesh& mesh, const TriangleSurface& before, const Frame& frame) {
+  TriangleSurface surface;
+  std::vector<Index> number(before.vertices.size(), -1);
+  for (const auto v : mesh.vertices()) {  // ascending, those that are left
+    number[v.idx()] = static_cast<Index>(surface.vertices.size());
+    const Eigen::Vector3d& old = before.vertices[v.idx()];
+    surface.vertices.push_back(mesh.point(v) == frame.in(old) ? old : frame.out(mesh.point(v)));
+  }
+  for (const auto f : mesh.faces()) {
+    std::array<Index, 3> corners;
+    int i = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) corners[i++] = number[v.idx()];
+    surface.triangles.push_back(corners);
+  }
+  return surface;
+}
+
+bool intersects_itself(const TriangleSurface& surface) {
+  std::vector<Point> points;
+  for (const Eigen::Vector3d& p : surface.vertices) points.emplace_back(p.x(), p.y(), p.z());
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [a, b, c] : surface.triangles)
+    triangles.push_back(
+        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  return processing::does_triangle_soup_self_intersect(points, triangles);
+}
+
+}  // namespace
+
+TriangleSurface reduce(const TriangleSurface& surface, int triangles) {
+  if (triangles < 4)
+    throw InputError(fmt::format("reduction: expected at least 4 triangles, found {}", triangles));
+  if (surface.triangles.size() <= static_cast<std::size_t>(triangles)) return surface;
+
+  const Frame frame(surface);
+  const Mesh mesh = mesh_of(surface, frame);
+  for (auto most = static_cast<std::size_t>(triangles); most < surface.triangles.size(); most += most / 2) {
+    Mesh reduced = mesh;
+    collapse_edges(reduced, most);
+    TriangleSurface result = surface_of(reduced, surface, frame);
+    if (!intersects_itself(result)) return result;
+  }
+  return surface;
+}
+
+}  // namespace tetproof::reference
