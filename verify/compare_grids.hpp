@@ -56,7 +56,7 @@ GridComparison compare_grids(const NamedGrid& other, const NamedGrid& reference,
 
 /// For people.
 std::string comparison_text(const GridComparison&);
-/// As JSON.
+/// As JSON; corpus/vectors/TRACE.md describes the keys.
 std::string comparison_json(const GridComparison&);
 
 }  // namespace tetproof::verify

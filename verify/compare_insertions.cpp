@@ -76,7 +76,7 @@ class Insertions {
       if (std::abs(drift_) > tolerance_.relative * std::abs(a->e_avg())) drift_ = 0;
       if (!step(n, std::move(*a), std::move(*b), before)) return;
     }
-    if (!waiting_.empty()) return parted_at_a_tie();
+    if (!waiting_.empty()) return parted_at_a_tie("both traces end");
     ends();
   }
 
@@ -120,7 +120,9 @@ class Insertions {
       tie_ = {n, a, b};
       group_ = 0;
     } else if (!equally_good) {
-      parted_at_a_tie();
+      const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+      parted_at_a_tie(
+          fmt::format("E'avg first differs at insertion {}: {} in reference, {} in other", n, one, two));
       return false;
     }
     // Within a tie the same splits may come in another order: each waits for its partner.
@@ -197,7 +199,7 @@ class Insertions {
                      {last_b.line, says(last_b.flip), to_line(last_b.flip)});
     }
     if (in_a_tie) {  // the surroundings of the two splits may not have been the same
-      parted_at_a_tie();
+      parted_at_a_tie(fmt::format("flips differ in lines {} and {}", a.line, b.line));
       return false;
     }
     std::size_t i = 0;
@@ -269,14 +271,17 @@ class Insertions {
     return false;
   }
 
-  void parted_at_a_tie() {
+  // The tie is still open, and something is not the same in both.
+  void parted_at_a_tie(const std::string& how) {
+    result_.notes.push_back(fmt::format("the tie was never closed; {}", how));
     diverge(tie_.n, Step::choice, choice(tie_.n, tie_.a, tie_.b) + ": a tie", side(tie_.a), side(tie_.b));
     result_.verdict = TraceComparison::Verdict::tie;
   }
 
   // One trace has no insertion n.
   void one_ended(std::int64_t n, const Split* a, const Split* b) {
-    if (!waiting_.empty()) return parted_at_a_tie();
+    if (!waiting_.empty())
+      return parted_at_a_tie(fmt::format("{} has no insertion {}", a ? "other" : "reference", n));
     const TraceStream& ended = a ? other_ : reference_;
     const auto* end = ended.next_is<End>();
     const Says over{end ? ended.line() : 0,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/error.hpp"
@@ -26,11 +27,15 @@ struct Arguments {
   double tolerance = 1e-9;
 };
 
-// By the ending; a file with another ending that no mesh format has may still begin as a trace does.
-bool is_trace(const std::string& path) {
+// By the ending; a file with another ending may still begin as a trace does. What a pipe holds is not known
+// before it is read.
+std::optional<bool> is_trace(const std::string& path) {
   if (path.ends_with(".jsonl")) return true;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status))
+    return std::nullopt;
   std::ifstream file(path, std::ios::binary);
   char first = ' ';
   file >> first;  // past blanks
@@ -45,8 +50,11 @@ verify::NamedGrid load(const std::string& path) {
 }
 
 int work(const Arguments& arguments, const program::Common& common) {
-  const bool traces = is_trace(arguments.reference);
-  if (is_trace(arguments.other) != traces)
+  if (!(arguments.tolerance >= 0))
+    throw InputError("--tolerance: expected a number from 0 to 0.1, found nan");
+  const std::optional<bool> other = is_trace(arguments.other), reference = is_trace(arguments.reference);
+  const bool traces = reference.value_or(other.value_or(true));
+  if (other.value_or(traces) != traces)
     throw InputError((traces ? arguments.reference : arguments.other) + " is a trace, and " +
                      (traces ? arguments.other : arguments.reference) +
                      " is not: two traces or two grids are compared");
@@ -65,9 +73,10 @@ int work(const Arguments& arguments, const program::Common& common) {
   }
   program::Progress progress(common, {{"reading", 0.7}, {"comparing", 0.3}});
   progress.enter("reading");
-  const verify::NamedGrid reference = load(arguments.reference), other = load(arguments.other);
+  const verify::NamedGrid reference_grid = load(arguments.reference), other_grid = load(arguments.other);
   progress.enter("comparing");
-  const verify::GridComparison result = verify::compare_grids(other, reference, arguments.tolerance);
+  const verify::GridComparison result =
+      verify::compare_grids(other_grid, reference_grid, arguments.tolerance);
   progress.end();
   report(result);
   return result.equal() ? program::sound : program::wrong;

@@ -67,7 +67,7 @@ std::string comparison_text(const TraceComparison& result) {
          {std::pair{"reference", &result.reference}, std::pair{"other", &result.other}})
       text += fmt::format("  {} ({}{}): {}\n", name, side->file,
                           side->line ? fmt::format(":{}", side->line) : "", side->says);
-    if (result.insertion > 0) text += fmt::format("  the same until then: {}\n", so_far);
+    if (result.insertion > 0) text += fmt::format("  found the same: {}\n", so_far);
     if (result.verdict == Verdict::tie) text += fmt::format("  {}\n", after_a_tie);
   }
   for (const std::string& note : result.notes) text += "  note: " + note + "\n";

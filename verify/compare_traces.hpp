@@ -55,7 +55,7 @@ TraceComparison compare_traces(const std::string& other, const std::string& refe
 
 /// For people: one to a few lines, each with its line end.
 std::string comparison_text(const TraceComparison&);
-/// As JSON; the keys are described in the README of the vectors.
+/// As JSON; corpus/vectors/TRACE.md describes the keys.
 std::string comparison_json(const TraceComparison&);
 
 }  // namespace tetproof::verify

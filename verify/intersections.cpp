@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -74,7 +75,40 @@ Degenerate degenerate_triangles(std::span<const Eigen::Vector3d> points,
   return result;
 }
 
+namespace {
+
+// Whether a side of one triangle separates the shadows that both cast along an axis, but for vertices they
+// share. Then the triangles have nothing else in common. Most pairs end here, and neighbours that are all but
+// coplanar, where predicates in space need exact arithmetic, do so with doubles.
+bool shadows_apart(std::span<const Eigen::Vector3d> points, const Triangle& first, const Triangle& second) {
+  const Eigen::Vector3d& a = points[static_cast<std::size_t>(first[0])];
+  const Eigen::Vector3d normal =
+      (points[static_cast<std::size_t>(first[1])] - a).cross(points[static_cast<std::size_t>(first[2])] - a);
+  Eigen::Index along = 0;
+  normal.cwiseAbs().maxCoeff(&along);
+  const auto flat = [&](Index v) {
+    const Eigen::Vector3d& p = points[static_cast<std::size_t>(v)];
+    return Flat(p[(along + 1) % 3], p[(along + 2) % 3]);
+  };
+  const auto separates = [&](const Triangle& sides, const Triangle& other) {
+    const auto inside = CGAL::orientation(flat(sides[0]), flat(sides[1]), flat(sides[2]));
+    if (inside == CGAL::COLLINEAR) return false;
+    for (int k = 0; k < 3; ++k) {
+      const Index u = sides[k], v = sides[(k + 1) % 3];
+      if (std::all_of(other.begin(), other.end(), [&](Index w) {
+            return w == u || w == v || CGAL::orientation(flat(u), flat(v), flat(w)) == -inside;
+          }))
+        return true;
+    }
+    return false;
+  };
+  return separates(first, second) || separates(second, first);
+}
+
+}  // namespace
+
 bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& first, const Triangle& second) {
+  if (shadows_apart(points, first, second)) return false;
   // Common vertices to the front of both.
   std::array<Index, 3> s = first, t = second;
   int common = 0;

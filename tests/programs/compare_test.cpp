@@ -158,8 +158,8 @@ TEST_F(Compare, WhatCannotBeComparedIsRefused) {
   refused(good, grid, good + " is a trace, and " + grid + " is not");
   refused(files->write("trace.txt", files->read("reference.jsonl")), grid, "trace.txt is a trace");
   refused(files->write("empty.jsonl", ""), good, "expected a lattice record");
-  refused(files->write("text.jsonl", "text\n"), good,
-          "text.jsonl:1: expected a record as JSON in one line, found 'text'");
+  refused(files->write("text.jsonl", "hello\n"), good,
+          "text.jsonl:1: expected a record as JSON in one line, found 'hello'");
   refused(*files / "missing.jsonl", good, "missing.jsonl: cannot open");
   refused(files->path(), good, "a trace, and");
   std::filesystem::create_directories(*files / "folder.jsonl");

@@ -323,7 +323,7 @@ TEST(DivergenceReport, SaysWhereAndWhatOfBoth) {
       "1, 1) (1, 0.5, 0.5)\n"
       "  other (other.jsonl:23): row 4c, E'avg 0.171 (reference splits it as insertion 4, by row 2b): (2, 0, "
       "1) (0, 1, 1) (2, 1, 1) (1, 0.5, 0.5)\n"
-      "  the same until then: 2 insertions and 2 flips\n");
+      "  found the same: 2 insertions and 2 flips\n");
   const nlohmann::json json = nlohmann::json::parse(verify::comparison_json(result));
   EXPECT_EQ(json.at("compared"), "traces");
   EXPECT_EQ(json.at("verdict"), "diverges");
