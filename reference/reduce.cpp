@@ -12,7 +12,10 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "io/error.hpp"
 
@@ -83,14 +86,23 @@ void collapse_edges(Mesh& mesh, std::size_t triangles) {
       CGAL::parameters::get_cost(simplification::LindstromTurk_cost<Mesh>()).get_placement(placement));
 }
 
-// A vertex that no collapse moved is where it was, to the bit.
-TriangleSurface surface_of(const Mesh& mesh, const TriangleSurface& before, const Frame& frame) {
+// Moves the vertices back to where the surface is; one that no collapse moved is where it was, to the bit.
+Mesh moved_back(Mesh mesh, const TriangleSurface& before, const Frame& frame) {
+  for (const auto v : mesh.vertices()) {
+    const Eigen::Vector3d& old = before.vertices[v.idx()];
+    const Eigen::Vector3d p = mesh.point(v) == frame.in(old) ? old : frame.out(mesh.point(v));
+    mesh.point(v) = Point(p.x(), p.y(), p.z());
+  }
+  return mesh;
+}
+
+TriangleSurface surface_of(const Mesh& mesh, std::size_t vertices_before) {
   TriangleSurface surface;
-  std::vector<Index> number(before.vertices.size(), -1);
+  std::vector<Index> number(vertices_before, -1);
   for (const auto v : mesh.vertices()) {  // ascending, those that are left
     number[v.idx()] = static_cast<Index>(surface.vertices.size());
-    const Eigen::Vector3d& old = before.vertices[v.idx()];
-    surface.vertices.push_back(mesh.point(v) == frame.in(old) ? old : frame.out(mesh.point(v)));
+    const Point& p = mesh.point(v);
+    surface.vertices.emplace_back(p.x(), p.y(), p.z());
   }
   for (const auto f : mesh.faces()) {
     std::array<Index, 3> corners;
@@ -101,32 +113,36 @@ TriangleSurface surface_of(const Mesh& mesh, const TriangleSurface& before, cons
   return surface;
 }
 
-bool intersects_itself(const TriangleSurface& surface) {
-  std::vector<Point> points;
-  for (const Eigen::Vector3d& p : surface.vertices) points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& [a, b, c] : surface.triangles)
-    triangles.push_back(
-        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
-  return processing::does_triangle_soup_self_intersect(points, triangles);
-}
-
 }  // namespace
 
 TriangleSurface reduce(const TriangleSurface& surface, int triangles) {
   if (triangles < 4)
     throw InputError(fmt::format("reduction: expected at least 4 triangles, found {}", triangles));
-  if (surface.triangles.size() <= static_cast<std::size_t>(triangles)) return surface;
+  const auto wanted = static_cast<std::size_t>(triangles);
+  if (surface.triangles.size() <= wanted) return surface;
 
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v)
+    if (!surface.vertices[v].allFinite())
+      throw InputError(fmt::format("the surface cannot be reduced: vertex {} is not finite", v));
   const Frame frame(surface);
-  const Mesh mesh = mesh_of(surface, frame);
-  for (auto most = static_cast<std::size_t>(triangles); most < surface.triangles.size(); most += most / 2) {
-    Mesh reduced = mesh;
-    collapse_edges(reduced, most);
-    TriangleSurface result = surface_of(reduced, surface, frame);
-    if (!intersects_itself(result)) return result;
+  const Mesh whole = mesh_of(surface, frame);
+  const auto reduced = [&](Mesh mesh, std::size_t most) {
+    collapse_edges(mesh, most);
+    return mesh;
+  };
+  const auto back = [&](const Mesh& mesh) { return moved_back(mesh, surface, frame); };
+
+  Mesh direct = back(reduced(whole, wanted));
+  if (!processing::does_self_intersect(direct)) return surface_of(direct, surface.vertices.size());
+  // Too few: in small steps, and the last step that does not intersect itself counts.
+  std::optional<Mesh> last;
+  Mesh step = whole;
+  for (std::size_t most = surface.triangles.size(); most > wanted && step.number_of_faces() <= most;) {
+    most = std::max(wanted, most - std::max<std::size_t>(2, most / 10));
+    step = reduced(std::move(step), most);
+    if (Mesh here = back(step); !processing::does_self_intersect(here)) last = std::move(here);
   }
-  return surface;
+  return last ? surface_of(*last, surface.vertices.size()) : surface;
 }
 
 }  // namespace tetproof::reference

@@ -11,7 +11,7 @@ namespace tetproof::reference {
 /// few, or the surface would intersect itself (it is thinner than the new triangles are long), the result has
 /// more. Unchanged if it has no more to begin with, or if nothing can be taken away; otherwise without
 /// parametric definition, since its vertices are new. Throws InputError for fewer than 4 triangles and for a
-/// surface that is open or not 2-manifold.
+/// surface that is not finite, open or not 2-manifold.
 TriangleSurface reduce(const TriangleSurface& surface, int triangles);
 
 }  // namespace tetproof::reference
