@@ -15,6 +15,7 @@
 #include "io/program.hpp"
 #include "reference/mesh_options.hpp"
 #include "reference/mesh_report.hpp"
+#include "reference/reduce.hpp"
 #include "reference/trace_records.hpp"
 #include "verify/surface.hpp"
 #include "verify/verify.hpp"
@@ -30,17 +31,25 @@ const char* const examples =
     "  tetproof-mesh torus:R=1,r=0.4 -o torus.node --region outside\n"
     "  tetproof-mesh ball.stl -o ball.msh --v0 0.1 --v1 1 --curvature --trace ball.jsonl\n"
     "  tetproof-mesh ball.stl --v0 0.1 --v1 1 --curvature --follow yours.jsonl\n"
+    "  tetproof-mesh sphere:r=1 --region outside --figure sphere.svg --plane x=0\n"
     "  tetproof-mesh wing:naca=0012 -o wing.vtu --cells 200,40,40 --on-surface 0.1 --json wing.json\n";
 
 // What part of the whole time each phase takes, measured on ct_skull.off: without adaptation with a million
 // tetrahedra, with it from 48 cells.
-std::vector<std::pair<std::string, double>> phase_shares(bool adapts) {
+std::vector<std::pair<std::string, double>> phase_shares(bool adapts, bool reduces) {
+  std::vector<std::pair<std::string, double>> shares;
   if (!adapts)
-    return {{"reading", 0.02},       {"judging the surface", 0.15}, {"contacts", 0.12},
-            {"intersections", 0.04}, {"indicators", 0.02},          {"extraction", 0.14},
-            {"positivity", 0.01},    {"verification", 0.42},        {"writing", 0.08}};
-  return {{"reading", 0.05}, {"judging the surface", 0.16}, {"contacts", 0.06},     {"extraction", 0.02},
-          {"weights", 0.11}, {"insertion", 0.35},           {"verification", 0.22}, {"writing", 0.03}};
+    shares = {{"reading", 0.02},       {"judging the surface", 0.15}, {"contacts", 0.12},
+              {"intersections", 0.04}, {"indicators", 0.02},          {"extraction", 0.14},
+              {"positivity", 0.01},    {"verification", 0.42},        {"writing", 0.08}};
+  else
+    shares = {{"reading", 0.05}, {"judging the surface", 0.16}, {"contacts", 0.06},     {"extraction", 0.02},
+              {"weights", 0.11}, {"insertion", 0.35},           {"verification", 0.22}, {"writing", 0.03}};
+  if (reduces) {
+    for (auto& [name, share] : shares) share /= 2;
+    shares.insert(shares.begin() + 2, {"reduction", 0.5});
+  }
+  return shares;
 }
 
 // Wall time of named phases, one after the other.
@@ -86,22 +95,53 @@ class TraceFile {
   std::optional<AtomicFile> file_;
 };
 
+verify::JudgedSurface judge(const TriangleSurface& surface, const std::string& name,
+                            const program::Common& common) {
+  verify::JudgedSurface judged(surface);
+  if (!judged.report().fault.empty()) throw InputError(name + ": " + judged.report().fault);
+  for (const std::string& note : judged.report().notes) program::say(common, name + ": " + note);
+  return judged;
+}
+
+TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, const program::Common& common) {
+  TriangleSurface fewer = reference::reduce(surface, a.reduce);
+  const auto before = surface.triangles.size(), after = fewer.triangles.size(),
+             wanted = static_cast<std::size_t>(a.reduce);
+  std::string text = before <= wanted
+                         ? fmt::format("{}: not reduced, it has {} triangles", a.surface, before)
+                         : fmt::format("{}: reduced from {} to {} triangles", a.surface, before, after);
+  if (after > wanted) text += "; with fewer its topology would change, or it would intersect itself";
+  if (surface.evaluate && !fewer.evaluate) text += "; its parametric definition is not followed";
+  program::say(common, text);
+  return fewer;
+}
+
+std::string figure_of(const TetMesh& mesh, const TriangleSurface& surface, const reference::Plane& plane,
+                      const Arguments& a) {
+  const std::string name = a.surface.substr(a.surface.find_last_of('/') + 1);
+  const char* const where = a.options.region == reference::Region::inside ? "inside" : "around";
+  return reference::figure(
+      mesh, surface,
+      {.plane = plane, .colour = a.colour, .title = fmt::format("Unstructured grid {} {}", where, name)});
+}
+
 int mesh(const Arguments& a, const program::Common& common) {
   if (a.list_surfaces) {
     fmt::print("{}", corpus::list_surfaces());
     return program::sound;
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
-  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty())
+  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty())
     throw InputError("expected -o GRID (see tetproof-mesh --help)");
   if (!a.grid.empty()) {
     format_of(a.grid);  // refuses an unknown ending before the work
     check_creatable(a.grid);
   }
+  if (!a.figure.empty()) check_creatable(a.figure);
 
   reference::Options options = generate_options(a);
   Stopwatch watch;
-  program::Progress progress(common, phase_shares(options.adapt.has_value()));
+  program::Progress progress(common, phase_shares(options.adapt.has_value(), a.reduce > 0));
   const auto enter = [&](std::string_view phase) {
     watch.enter(phase);
     progress.enter(phase);
@@ -111,12 +151,17 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
 
   enter("reading");
-  const TriangleSurface surface = corpus::open_surface(a.surface);
+  TriangleSurface surface = corpus::open_surface(a.surface);
+  const std::size_t triangles_read = surface.triangles.size();
   enter("judging the surface");
-  const verify::JudgedSurface judged_surface(surface);
-  const verify::SurfaceReport& judged = judged_surface.report();
-  if (!judged.fault.empty()) throw InputError(a.surface + ": " + judged.fault);
-  for (const std::string& note : judged.notes) program::say(common, a.surface + ": " + note);
+  std::optional<verify::JudgedSurface> judged_surface(judge(surface, a.surface, common));
+  if (a.reduce) {
+    enter("reduction");
+    surface = reduced(surface, a, common);
+    judged_surface.emplace(judge(surface, a.surface + ", reduced", common));
+  }
+  const verify::SurfaceReport& judged = judged_surface->report();
+  const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
   const reference::Generation made = generate(surface, options);
   if (made.mesh().tets.empty())
@@ -126,17 +171,19 @@ int mesh(const Arguments& a, const program::Common& common) {
   enter("verification");
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();
   const verify::Report report =
-      verify::verify(made.mesh(), judged_surface,
+      verify::verify(made.mesh(), *judged_surface,
                      {.region = options.region == reference::Region::inside ? verify::Region::inside
                                                                             : verify::Region::outside,
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),
                       .voxels = a.voxels,
                       .timings = a.timings});
   enter("writing");
+  const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
   if (!a.grid.empty()) write_document(a.grid, document_of(made.mesh()), write);
   trace.commit();
+  if (!a.figure.empty()) program::write_text(a.figure, figure);
   progress.end();
   const auto& seconds = watch.stop();
 
@@ -148,6 +195,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (!common.json.empty()) {
     Json json = Json::parse(verify::report_json(report));
     add_generation(json, a.surface, judged, made);
+    if (a.reduce) json["generation"]["surface"]["reduced_from"] = triangles_read;
     if (a.timings)
       for (const auto& [name, s] : seconds) json["seconds"][name] = s;
     program::write_text(common.json, json.dump(2) + "\n");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 
 #include "io/error.hpp"
@@ -52,6 +53,21 @@ void declare_adaptation(CLI::App& app, Arguments& a) {
       ->always_capture_default(false);
   app.add_option("--trace", a.trace, "every decision, one JSON record a line, for tetproof-compare")
       ->type_name("FILE.jsonl");
+}
+
+void declare_figure(CLI::App& app, Arguments& a) {
+  const std::map<std::string, FigureColour> colours{{"volume", FigureColour::volume},
+                                                    {"quality", FigureColour::quality}};
+  app.add_option("--figure", a.figure,
+                 "the cut of a plane through the grid, as in the paper's figures 3 to 6")
+      ->type_name("FILE.svg")
+      ->always_capture_default(false);
+  app.add_option("--plane", a.plane,
+                 "the figure's plane: x=0, an axis for the middle, or a,b,c,d for ax + by + cz = d")
+      ->type_name("PLANE");
+  app.add_option("--colour", a.colour, "what the figure's colours show: volumes, or smallest solid angles")
+      ->transform(CLI::CheckedTransformer(colours))
+      ->option_text("volume|quality [volume]");
 }
 
 // "24" or "24,12,12".
@@ -109,6 +125,11 @@ void declare_options(CLI::App& app, Arguments& a) {
   app.add_option("-o,--output", a.grid, "the grid; its ending says the format")
       ->type_name("GRID")
       ->always_capture_default(false);
+  app.add_option("--reduce", a.reduce,
+                 "reduce the surface to at most N triangles first; what is left is judged like any other")
+      ->check(CLI::Range(4, std::numeric_limits<int>::max()))
+      ->type_name("N")
+      ->option_text("N");
   app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
       ->transform(CLI::CheckedTransformer(regions))
       ->option_text("inside|outside [inside]");
@@ -127,6 +148,7 @@ void declare_options(CLI::App& app, Arguments& a) {
   app.add_flag("--literal", a.options.literal,
                "as printed: case 5 always kept, --on-surface 0, rounding reported and not mended");
   declare_adaptation(app, a);
+  declare_figure(app, a);
   app.add_option("--voxels", a.voxels,
                  "voxels along the longest side for the independent volume account; 0: without")
       ->check(CLI::Range(0, 1024))

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/program.hpp"
+#include "reference/figure.hpp"
 #include "reference/generate.hpp"
 
 namespace tetproof::reference {
@@ -12,9 +13,12 @@ namespace tetproof::reference {
 /// As given on the command line.
 struct Arguments {
   std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
+  std::string figure, plane = "x";
+  FigureColour colour = FigureColour::volume;
   Options options;
   AdaptOptions adapt;
   int voxels = 128;
+  int reduce = 0;  ///< triangles; 0: the surface as it is
   bool list_surfaces = false, timings = false, ascii = false, binary = false;
 };
 
