@@ -75,6 +75,7 @@ class Adaptation {
   Corners corners(const std::array<int, 4>& v) const;
   void add(const std::array<int, 4>& v);
   void remove(std::int64_t number);
+  void count(const std::array<int, 4>& v, int change);
   double sum() const;
   double average() const { return sum() / static_cast<double>(tets_.size()); }
   void weigh_first_grid(std::vector<trace::Record>& records);
