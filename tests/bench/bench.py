@@ -11,6 +11,7 @@ import statistics
 import subprocess
 import sys
 
+import adapt
 import surfaces
 from measure import Command, Failed, measure
 
@@ -22,12 +23,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3, help="runs of every command, of which the median counts; 3")
     parser.add_argument("--cores", default=None, help="cores to run on, as in 0 or 0,1; all")
-    parser.add_argument("--only", default="skull,torus,growth,verify,hot", help="of skull,torus,growth,verify,hot")
+    parser.add_argument("--only", default="skull,torus,growth,verify,hot,adapt", help="of skull,torus,growth,verify,hot,adapt")
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), help="where the programs are; build")
     parser.add_argument("--out", default=os.path.join(ROOT, "out", "bench"), help="where files go; out/bench")
     arguments = parser.parse_args()
     bench = Bench(arguments)
-    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "hot": bench.hot}
+    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "hot": bench.hot, "adapt": bench.adapt}
     chosen = arguments.only.split(",")
     for name in chosen:
         if name not in sections:
@@ -74,6 +75,7 @@ class Bench:
             cpu = re.search(r"model name\s*: (.*)", file.read()).group(1)
         versions = {"g++": first_line("g++", "-dumpfullversion"), "Gmsh": first_line("gmsh", "--version"),
                     "TetGen": first_line("dpkg-query", "-W", "-f", "${Version}", "tetgen"),
+                    "CGAL": first_line("dpkg-query", "-W", "-f", "${Version}", "libcgal-dev"),
                     "tetproof": first_line("git", "-C", ROOT, "describe", "--always", "--dirty")}
         self.record["machine"] = {"cpu": cpu, "cores": sorted(self.cores), "system": platform.platform(), "runs": self.runs,
                                   "versions": versions}
@@ -184,6 +186,11 @@ class Bench:
             of_mesh = f"{tets / seconds:,.0f}" if seconds > 1e-3 else ""
             print(f"| {name} | {seconds:.3f} | {of_lattice} | {of_mesh} |")
         print(flush=True)
+
+    def adapt(self):
+        """Insertion: its growth, and beside other meshers that refine."""
+        adapt.growth(self, read_json)
+        adapt.peers(self, ele_tets, msh_tets, json_tets)
 
 
 def first_line(*words):
