@@ -23,7 +23,7 @@ struct AdaptOptions {
   VolumeSetting v0{0.2}, v1{2};     ///< eq. (3.1), positive
   double d1 = 0;               ///< eq. (3.1) [length]; 0: the largest d_i of the first grid (reading D13)
   double p = 1;                ///< eq. (3.1), positive
-  VolumeSetting e_avg{0};      ///< stop when E_avg is not above this (reading D17)
+  VolumeSetting e_avg{0};      ///< stop when E_avg is not above this (reading D17); 0: never
   bool past_dilution = false;  ///< do not stop at reading D17's second rule; needs a number of points
   bool curvature = false;      ///< weight the distance, eq. (3.6)
   Criterion improve = Criterion::solid_angle;

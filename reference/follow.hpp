@@ -22,7 +22,7 @@ struct Follow {
 /// its diagonal; from then on the trace's coordinates are used, so that both sides decide with the same
 /// numbers. Throws InputError for a file that is no trace, or one without step (v).
 Adaptation follow(const Grid& grid, const TriangleSurface& surface, const AdaptOptions& options,
-                  const TrueSurface* true_surface, const std::string& path, const Listener& listener,
-                  Follow& outcome);
+                  const TrueSurface* true_surface, const trace::Settings& settings, const std::string& path,
+                  const Listener& listener, Follow& outcome);
 
 }  // namespace tetproof::reference

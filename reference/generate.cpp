@@ -116,8 +116,9 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
     if (options.follow.empty())
       result.adaptation = adapt(result.grid, surface, *options.adapt, true_surface.get(), options.listener);
     else
-      result.adaptation = follow(result.grid, surface, *options.adapt, true_surface.get(), options.follow,
-                                 options.listener, result.follow.emplace());
+      result.adaptation =
+          follow(result.grid, surface, *options.adapt, true_surface.get(), settings_of(options, surface),
+                 options.follow, options.listener, result.follow.emplace());
   }
   if (record) record(end_of(result));
   return result;

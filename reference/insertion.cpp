@@ -88,7 +88,7 @@ Insertion::Insertion(const Grid& first_grid, const TriangleSurface& surface, con
 std::optional<Stop> Insertion::stop_by_progress() const {
   if (options_.points != AdaptOptions::automatic && result_.insertions >= options_.points)
     return Stop::points;
-  if (grid_->e_avg() <= e_avg_goal_) return Stop::e_avg;
+  if (e_avg_goal_ > 0 && grid_->e_avg() <= e_avg_goal_) return Stop::e_avg;
   if (result_.insertions - least_at_ >= std::max<std::int64_t>(1000, grid_->grid().tets() / 10))
     return Stop::stalled;
   return std::nullopt;

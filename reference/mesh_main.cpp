@@ -77,10 +77,9 @@ class Stopwatch {
 // The trace as it grows; nothing without a name.
 class TraceFile {
  public:
-  TraceFile(const std::string& path, const std::string& surface, const reference::Options& options) {
+  TraceFile(const std::string& path, const std::string& surface, trace::Settings settings) {
     if (path.empty()) return;
     file_.emplace(path);
-    trace::Settings settings = settings_of(options);
     settings.program = "tetproof-mesh";
     settings.surface = surface;
     write(settings);
@@ -137,7 +136,8 @@ int mesh(const Arguments& a, const program::Common& common) {
     format_of(a.grid);  // refuses an unknown ending before the work
     check_creatable(a.grid);
   }
-  if (!a.figure.empty()) check_creatable(a.figure);
+  for (const std::string& path : {a.trace, a.figure})
+    if (!path.empty()) check_creatable(path);
 
   reference::Options options = generate_options(a);
   Stopwatch watch;
@@ -147,8 +147,6 @@ int mesh(const Arguments& a, const program::Common& common) {
     progress.enter(phase);
   };
   options.listener.phase = enter;
-  TraceFile trace(a.trace, a.surface, options);
-  if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
 
   enter("reading");
   TriangleSurface surface = corpus::open_surface(a.surface);
@@ -163,6 +161,8 @@ int mesh(const Arguments& a, const program::Common& common) {
   const verify::SurfaceReport& judged = judged_surface->report();
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
+  TraceFile trace(a.trace, a.surface, settings_of(options, surface));
+  if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
   const reference::Generation made = generate(surface, options);
   if (made.mesh().tets.empty())
     program::say(common,

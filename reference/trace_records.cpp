@@ -34,7 +34,7 @@ Eigen::Vector3d cut_point(const Lattice& lattice, const Indicators& indicators, 
 
 }  // namespace
 
-trace::Settings settings_of(const Options& options) {
+trace::Settings settings_of(const Options& options, const TriangleSurface& surface) {
   trace::Settings settings{.region = options.region == Region::inside ? "inside" : "outside",
                            .box_scale = options.box_scale,
                            .on_surface = options.literal ? 0 : options.on_surface,
@@ -50,7 +50,7 @@ trace::Settings settings_of(const Options& options) {
         options.adapt->points == AdaptOptions::automatic ? "auto" : std::to_string(options.adapt->points);
     settings.past_dilution = options.adapt->past_dilution;
   }
-  settings.parametric = options.parametric;
+  settings.parametric = options.parametric && surface.evaluate;
   return settings;
 }
 

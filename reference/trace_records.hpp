@@ -12,7 +12,7 @@ namespace tetproof::reference {
 using Recorder = std::function<void(const trace::Record&)>;
 
 /// The options as the trace's first record; the program and the surface are for the caller to name.
-trace::Settings settings_of(const Options& options);
+trace::Settings settings_of(const Options& options, const TriangleSurface& surface);
 
 /// Steps (i) to (iv), in the order of the format.
 void record_lattice(const Lattice& lattice, const Recorder& record);

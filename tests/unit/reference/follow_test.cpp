@@ -201,6 +201,27 @@ TEST_F(FollowTest, WeightsOfStepV) {
   EXPECT_NE(follow_records(records).what.find("d1 is"), std::string::npos);
 }
 
+TEST_F(FollowTest, OtherSettings) {
+  const auto change = [&](auto&& edit, const std::string& words) {
+    auto records = run().records;
+    trace::Settings settings{.parametric = true, .improve = "solid-angle", .improve_below = 0.01};
+    edit(settings);
+    records.insert(records.begin(), settings);
+    const Follow outcome = follow_records(records);
+    EXPECT_EQ(outcome.admissible, words.empty()) << outcome.what;
+    EXPECT_NE(outcome.what.find(words), std::string::npos) << outcome.what;
+  };
+  change([](trace::Settings&) {}, "");
+  change([](trace::Settings& s) { s.points = "500"; }, "");
+  change([](trace::Settings& s) { s.parametric = false; },
+         "settings: the trace has parametric false, this run true");
+  change([](trace::Settings& s) { s.region = "outside"; }, "the trace has region outside, this run inside");
+  change([](trace::Settings& s) { s.p = 3; }, "the trace has p 3, this run 1");
+  change([](trace::Settings& s) { s.improve_below = 0.002; }, "improve_below 0.002, this run 0.01");
+  change([](trace::Settings& s) { s.curvature = true; }, "curvature true");
+  change([](trace::Settings& s) { s.improve = "none"; }, "improve none, this run solid-angle");
+}
+
 TEST_F(FollowTest, ATraceThatBreaksOffIsBadInput) {
   auto records = run().records;
   records.pop_back();

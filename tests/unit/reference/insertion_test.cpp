@@ -120,6 +120,12 @@ TEST(Stopping, WhereNoSplitLowersTheAverage) {
   const Generation made = adapted("sphere:n=500", 5, {.v0 = {50}, .v1 = {50}});
   EXPECT_EQ(made.adaptation->stopped, Stop::no_gain);
   EXPECT_EQ(made.adaptation->insertions, 0);
+  // Nor where it is 0 already: a cube of equal cells, each tetrahedron of the size it should have.
+  const Generation perfect =
+      generate(corpus::make_surface("box:x0=0,y0=0,z0=0,x1=4,y1=4,z1=4"),
+               {.cells = {8, 0, 0}, .box_scale = 2, .adapt = AdaptOptions{.v0 = {1}, .v1 = {1}}});
+  EXPECT_EQ(perfect.adaptation->stopped, Stop::no_gain);
+  EXPECT_EQ(perfect.adaptation->e_avg_last, 0);
 }
 
 TEST(Stopping, ByDilutionWhereV0IsFarBelowTheAverage) {
