@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What adaptation does to every clean surface, as one Markdown table: both pairs of volumes, three exponents, with and without
-curvature, with and without flips, each run to its natural end (--points auto). Some hours; interrupted, it goes on where it was.
+curvature, with and without flips, each run to its natural end (--points auto). Some minutes; interrupted, it goes on where it was.
 
 usage: tests/bench/adaptation_table.py [--surface REGEX] [--settings REGEX] [--cells N] [--build FOLDER] [--out FOLDER] [--fresh]
 Exit code: 0 all runs certified, 1 some not, 2 usage."""
