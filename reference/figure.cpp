@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -18,9 +20,9 @@ namespace {
 using Eigen::Vector3d;
 
 // Coordinates are whole numbers of this many to a pixel: short in the file, and fine enough to magnify.
-constexpr int fineness = 10;
+constexpr int fineness = 5;
 constexpr int drawing = 760;  // pixels along the longer side of the cut
-constexpr int margin = 20, header = 46, footer = 34, legend = 150;
+constexpr int margin = 20, header = 46, footer = 34, legend = 165;
 
 using Pixel = std::array<int, 2>;
 
@@ -45,22 +47,37 @@ double volume_of(const TetMesh& mesh, Index t) {
   return std::abs(volume(a, b, c, d));
 }
 
-// Powers of two that leave a hundredth of the tetrahedra in the cut below the lowest and above the highest
-// bound.
-Classes volume_classes(std::vector<double> relative) {
-  std::sort(relative.begin(), relative.end());
+double area(const CutPolygon& polygon) {
+  const auto& [a, b, c, d] = polygon.points;
+  const double triangle = (b - a).cross(c - a).norm() / 2;
+  return polygon.corners == 3 ? triangle : triangle + (c - a).cross(d - a).norm() / 2;
+}
+
+// Powers of two, so that a hundredth of the picture's area is below the lowest of them and a hundredth above
+// the highest.
+Classes volume_classes(const std::vector<double>& relative, const std::vector<CutPolygon>& polygons) {
+  std::vector<std::pair<double, double>> weighted;  // by area: the many slivers are not what is seen
+  double all = 0;
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    weighted.emplace_back(relative[i], area(polygons[i]));
+    all += weighted.back().second;
+  }
+  std::sort(weighted.begin(), weighted.end());
   const auto power = [&](double part) {
-    const double value = relative[static_cast<std::size_t>(part * static_cast<double>(relative.size() - 1))];
-    return value > 0 ? static_cast<int>(std::clamp(std::round(std::log2(value)), -60.0, 60.0)) : -60;
+    double sum = 0;
+    std::size_t i = 0;
+    while (i + 1 < weighted.size() && (sum += weighted[i].second) < part * all) ++i;
+    return static_cast<int>(
+        std::clamp(std::round(std::log2(std::max(weighted[i].first, 1e-18))), -60.0, 60.0));
   };
-  int lowest = power(0.01), highest = std::max(power(0.99), lowest + 1);
-  const int step = (highest - lowest) / 9 + 1;
+  const int lowest = power(0.01), highest = std::max(power(0.99), lowest + 1),
+            step = (highest - lowest) / 8 + 1;
   Classes classes{"volume / mean volume", {}, {}};
   for (int p = lowest; p <= highest; p += step) {
     classes.bounds.push_back(std::exp2(p));
-    classes.labels.push_back(p >= 0    ? fmt::format("{:.0f}", std::exp2(p))
-                             : p > -20 ? fmt::format("1/{:.0f}", std::exp2(-p))
-                                       : fmt::format("{:.0e}", std::exp2(p)));
+    classes.labels.push_back(p >= 0     ? fmt::format("{:.0f}", std::exp2(p))
+                             : p >= -12 ? fmt::format("1/{:.0f}", std::exp2(-p))
+                                        : fmt::format("{:.1e}", std::exp2(p)));
   }
   return classes;
 }
@@ -87,18 +104,15 @@ std::string colour(std::size_t i, std::size_t count) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
+// For XML; what is not ASCII may not be text at all.
 std::string escaped(const std::string& text) {
   std::string all;
-  for (const char c : text) {
-    if (c == '&')
-      all += "&amp;";
-    else if (c == '<')
-      all += "&lt;";
-    else if (c == '>')
-      all += "&gt;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      all += c;
-  }
+  for (const char c : text)
+    all += c == '&'             ? "&amp;"
+           : c == '<'           ? "&lt;"
+           : c == '>'           ? "&gt;"
+           : c < ' ' || c > '~' ? "?"
+                                : std::string(1, c);
   return all;
 }
 
@@ -163,7 +177,7 @@ class View {
         high = high.max(at);
       }
     const Eigen::Array2d size = high - low;
-    scale_ = fineness * drawing / size.maxCoeff();
+    scale_ = size.maxCoeff() > 0 ? fineness * drawing / size.maxCoeff() : 1;
     left_ = low[0];
     top_ = high[1];
     for (int i = 0; i < 2; ++i) size_[i] = static_cast<int>(std::lround(size[i] * scale_));
@@ -180,23 +194,30 @@ class View {
   Pixel size_;
 };
 
+// The legend's box: a heading, a field for each class, and the outline's line.
+constexpr int field_height = 24, field_width = 26, legend_top = 22, legend_bottom = 30;
+
+int legend_height(const Classes& classes) {
+  return legend_top + field_height * static_cast<int>(classes.bounds.size() + 1) + legend_bottom;
+}
+
 std::string legend_svg(const Classes& classes, int x, int y) {
-  constexpr int height = 24, width = 26;
   const std::size_t count = classes.bounds.size() + 1;
+  const int beside = x + field_width + 6;
   std::string svg =
       fmt::format("<g font-size=\"12\">\n<text x=\"{}\" y=\"{}\">{}</text>\n", x, y + 10, classes.heading);
   for (std::size_t i = 0; i < count; ++i) {  // the largest on top
-    const int top = y + 22 + static_cast<int>(count - 1 - i) * height;
-    svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", x, top, width,
-                       height, colour(i, count));
+    const int top = y + legend_top + static_cast<int>(count - 1 - i) * field_height;
+    svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", x, top,
+                       field_width, field_height, colour(i, count));
     if (i < classes.bounds.size())
-      svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x + width + 6, top + 4, classes.labels[i]);
+      svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", beside, top + 4, classes.labels[i]);
   }
-  const int below = y + 22 + static_cast<int>(count) * height;
+  const int line = y + legend_height(classes) - legend_bottom + 18;
   svg += fmt::format(
       "<path d=\"M{} {}h{}\" stroke=\"#c00020\" stroke-width=\"2\"/>\n<text x=\"{}\" y=\"{}\">the "
       "surface</text>\n</g>\n",
-      x, below + 18, width, x + width + 6, below + 22);
+      x, line, field_width, beside, line + 4);
   return svg;
 }
 
@@ -216,7 +237,7 @@ std::string figure(const TetMesh& mesh, const TriangleSurface& surface, const Fi
   for (const CutPolygon& polygon : cut.polygons)
     values.push_back(by_volume ? volume_of(mesh, polygon.tet) / mean
                                : solid_angle_of(smallest_solid_angle(corners(mesh, polygon.tet))));
-  const Classes classes = by_volume ? volume_classes(values) : quality_classes();
+  const Classes classes = by_volume ? volume_classes(values, cut.polygons) : quality_classes();
 
   const View view(cut, options.plane);
   std::vector<PathData> fills(classes.bounds.size() + 1);
@@ -238,22 +259,22 @@ std::string figure(const TetMesh& mesh, const TriangleSurface& surface, const Fi
 
   const int width = view.size()[0] / fineness, height = view.size()[1] / fineness;
   const int page_width = margin + std::max(width, 400) + margin + legend,
-            page_height = header + std::max(height, 280) + footer;
+            page_height = header + std::max(height, legend_height(classes)) + footer;
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n"
       "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<text x=\"{3}\" y=\"28\" font-size=\"18\">{2}</text>\n"
-      "<g transform=\"translate({3} {4}) scale({5})\" stroke=\"#1b1e3a\" stroke-width=\"3\" "
+      "<g transform=\"translate({3} {4}) scale({5})\" stroke=\"#1b1e3a\" stroke-width=\"{6}\" "
       "stroke-linejoin=\"round\">\n",
-      page_width, page_height, escaped(options.title), margin, header, 1.0 / fineness);
-  for (std::size_t i = fills.size();
-       i-- > 0;)  // the small ones last: their edges lie over those of the large ones
+      page_width, page_height, escaped(options.title), margin, header, 1.0 / fineness, 0.3 * fineness);
+  // The small ones last: their edges lie over those of the large ones.
+  for (std::size_t i = fills.size(); i-- > 0;)
     if (!fills[i].text().empty())
       svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", colour(i, fills.size()), fills[i].text());
   if (!outline.empty())
-    svg += fmt::format("<path fill=\"none\" stroke=\"#c00020\" stroke-width=\"16\" d=\"{}\"/>\n",
-                       chained(outline).text());
+    svg += fmt::format("<path fill=\"none\" stroke=\"#c00020\" stroke-width=\"{}\" d=\"{}\"/>\n",
+                       1.5 * fineness, chained(outline).text());
   svg += "</g>\n" + legend_svg(classes, margin + std::max(width, 400) + margin, header);
   svg += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"12\">{}: {} of {} tetrahedra cut, {} triangles and {} "

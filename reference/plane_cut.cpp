@@ -157,15 +157,22 @@ Plane parse_plane(const std::string& text, const TriangleSurface& surface) {
     plain.erase(0, comma == std::string::npos ? plain.size() : comma + 1);
   }
   const Vector3d normal(numbers[0], numbers[1], numbers[2]);
-  if (!(normal.stableNorm() > 0) || !std::isfinite(normal.stableNorm())) return fail();
+  const double size = normal.stableNorm();
+  if (!(size >= 1e-150 && size <= 1e150)) return fail();
   return {normal, numbers[3]};
 }
 
 std::string plane_text(const Plane& plane) {
   if (const int axis = axis_of(plane); axis >= 0)
     return fmt::format("{} = {:.6g}", "xyz"[axis], plane.offset);
-  return fmt::format("{:.6g} x + {:.6g} y + {:.6g} z = {:.6g}", plane.normal.x(), plane.normal.y(),
-                     plane.normal.z(), plane.offset);
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    const double factor = plane.normal[i], size = std::abs(factor);
+    if (factor == 0) continue;
+    text += text.empty() ? (factor < 0 ? "-" : "") : factor < 0 ? " - " : " + ";
+    text += size == 1 ? fmt::format("{}", "xyz"[i]) : fmt::format("{:.6g} {}", size, "xyz"[i]);
+  }
+  return fmt::format("{} = {:.6g}", text, plane.offset);
 }
 
 std::array<Vector3d, 2> picture_axes(const Plane& plane) {
