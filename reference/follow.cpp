@@ -184,14 +184,20 @@ class Follower {
       throw Divergence{
           fmt::format("the first grid has {} tetrahedra, not {}", grid_.mesh.tets.size(), named.size())};
     start_with(adopted);
+    const Adaptation& ours = insertion_->so_far();
+    const auto expect_curvature = [&](const std::optional<double>& theirs, double of_ours,
+                                      std::string_view name) {
+      if (theirs && std::abs(*theirs - of_ours) > agree * ours.kappa_max) expect(*theirs, of_ours, name);
+    };
+    expect_curvature(first_grid_->kappa_min, ours.kappa_min, "the smallest absolute curvature (D15)");
+    expect_curvature(first_grid_->kappa_max, ours.kappa_max, "the largest absolute curvature (D15)");
+    expect(first_grid_->v0, ours.law.v0, "V0");
+    expect(first_grid_->v1, ours.law.v1, "V1");
+    expect(first_grid_->d1, ours.law.d1, "d1");
     for (Index t = 0; t < insertion_->grid().grid().numbers(); ++t) {
       const auto& [weight, line] = weights_[named.at(sorted(insertion_->grid().grid().corners(t)))];
       compare(weight, insertion_->grid().weight(t));
     }
-    const Adaptation& ours = insertion_->so_far();
-    expect(first_grid_->v0, ours.law.v0, "V0");
-    expect(first_grid_->v1, ours.law.v1, "V1");
-    expect(first_grid_->d1, ours.law.d1, "d1");
     if (!same_average(first_grid_->e_avg, ours.e_avg_first))
       expect(first_grid_->e_avg, ours.e_avg_first, "E_avg of the first grid, eq. (3.4),");
   }
@@ -215,6 +221,8 @@ class Follower {
     const std::string at = " of the tetrahedron at " + text(theirs.tet);
     const double scale = points_.reach();  // a centroid on a vertex has a distance of rounding only
     if (std::abs(theirs.d - ours.d) > scale) expect(theirs.d, ours.d, "d, eq. (3.2)," + at);
+    if (theirs.kappa && std::abs(*theirs.kappa - ours.kappa) > agree * insertion_->so_far().kappa_max)
+      expect(*theirs.kappa, ours.kappa, "the absolute curvature kappa (D15)" + at);
     expect(theirs.omega, ours.omega, "omega, eq. (3.6)," + at);
     const double size = std::max(ours.volume, ours.desired);
     if (std::abs(theirs.volume - ours.volume) > agree * size) expect(theirs.volume, ours.volume, "V" + at);

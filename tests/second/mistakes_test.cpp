@@ -60,7 +60,7 @@ const std::vector<Case>& cases() {
       {Mistake::signed_error, "9", none, "first_grid", "error", "the error E of the tetrahedron",
        "E, eq. (3.3), of the tetrahedron"},
       {Mistake::signed_curvature, "9", [](Settings& s) { s.curvature = true; }, "first_grid", "curvature",
-       "absolute curvature", "omega, eq. (3.6), of the tetrahedron"},
+       "absolute curvature", "absolute curvature"},
       {Mistake::inverted_curvature_weight, "9", [](Settings& s) { s.curvature = true; }, "first_grid",
        "weight", "the weight omega of the tetrahedron", "omega, eq. (3.6), of the tetrahedron"},
       {Mistake::four_pieces, "9", none, "insertion", "choice", "reference splits the tetrahedron at",

@@ -46,7 +46,8 @@ Testimony testify(const TriangleSurface& surface, const Settings& settings) {
   Testimony result;
   result.second = run(surface, settings, "test");
   reference::Options options = reference_options(settings);
-  result.reference.push_back(reference::settings_of(options));
+  const trace::Settings asked = reference::settings_of(options, surface);
+  result.reference.push_back(asked);
   options.listener.record = [&](const trace::Record& record) { result.reference.push_back(record); };
   const reference::Generation made = reference::generate(surface, options);
 
@@ -56,7 +57,7 @@ Testimony testify(const TriangleSurface& surface, const Settings& settings) {
   result.comparison = verify::compare_traces(second, reference);
   result.followed = made.adaptation.has_value();
   if (result.followed)
-    reference::follow(made.grid, surface, *options.adapt, nullptr, second, {}, result.follow);
+    reference::follow(made.grid, surface, *options.adapt, nullptr, asked, second, {}, result.follow);
   return result;
 }
 
