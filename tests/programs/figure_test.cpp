@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// tetproof-mesh --figure as users run it, and the pictures that the repository shows.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "tests/programs/run_program.hpp"
+
+namespace tetproof::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Outcome mesh(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{
+      program("tetproof-mesh"), "sphere:r=1,n=200", "--cells", "7", "--points", "50"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(words);
+}
+
+TEST(FigureOption, WritesAPictureWithOrWithoutAGrid) {
+  const ScratchFolder files;
+  const Outcome with = mesh({"-o", files / "grid.msh", "--figure", files / "a.svg", "--plane", "x=0.1"});
+  EXPECT_EQ(with.exit_code, 0) << with;
+  const Outcome without = mesh({"--figure", files / "b.svg", "--plane", "x=0.1", "--threads", "1"});
+  EXPECT_EQ(without.exit_code, 0) << without;
+  EXPECT_EQ(files.read("a.svg"), files.read("b.svg"));
+  EXPECT_THAT(files.read("a.svg"), StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_THAT(files.read("a.svg"), HasSubstr("<title>Unstructured grid inside sphere:r=1,n=200</title>"));
+  EXPECT_THAT(files.read("a.svg"), HasSubstr(">x = 0.1: "));
+  EXPECT_EQ(files.names(), (std::vector<std::string>{"a.svg", "b.svg", "grid.msh"}));
+  // Without a plane: through the middle of the surface.
+  EXPECT_EQ(mesh({"--figure", files / "c.svg", "--colour", "quality"}).exit_code, 0);
+  EXPECT_THAT(files.read("c.svg"), HasSubstr(">x = 0: "));
+  EXPECT_THAT(files.read("c.svg"), HasSubstr("smallest solid angle"));
+}
+
+TEST(FigureOption, NothingIsWrittenAfterAMistake) {
+  const ScratchFolder files;
+  const auto refused = [&](const std::string& what, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"-o", files / "grid.msh"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = mesh(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome;
+    EXPECT_EQ(lines(outcome.err), 1u) << outcome;
+    EXPECT_THAT(outcome.err, HasSubstr(what));
+    EXPECT_TRUE(files.names().empty());
+  };
+  const std::string picture = files / "a.svg";
+  refused("the plane x = 5 misses the grid", {"--figure", picture, "--plane", "x=5"});
+  refused("--plane: expected an axis and a place", {"--figure", picture, "--plane", "w=5"});
+  refused("--colour", {"--figure", picture, "--colour", "depth"});
+  refused("missing/a.svg", {"--figure", files / "missing/a.svg"});
+}
+
+// The quickest picture of corpus/gallery.sh is what the gallery shows.
+TEST(Gallery, HasNotDrifted) {
+  std::ifstream script(TETPROOF_SOURCE_DIR "/corpus/gallery.sh");
+  std::vector<std::string> words{program("tetproof-mesh")};
+  for (std::string line; std::getline(script, line);) {
+    if (!line.starts_with("figure wing ")) continue;
+    std::istringstream rest(line.substr(12));
+    for (std::string word; rest >> word;) words.push_back(word);
+  }
+  ASSERT_GT(words.size(), 2u);
+  const ScratchFolder files;
+  for (const std::string& word : {std::string("--region"), std::string("outside"), std::string("--improve"),
+                                  std::string("aspect-ratio"), std::string("--voxels"), std::string("0"),
+                                  std::string("--figure"), files / "wing.svg"})
+    words.push_back(word);
+  const Outcome outcome = run_program(words, {.timeout_s = 600});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome;
+  std::ifstream shown(TETPROOF_SOURCE_DIR "/corpus/gallery/wing.svg", std::ios::binary);
+  const std::string expected{std::istreambuf_iterator<char>(shown), {}};
+  EXPECT_TRUE(files.read("wing.svg") == expected) << "corpus/gallery.sh makes the pictures again";
+}
+
+// Every picture is XML, as another parser reads it, of a size that a page can show.
+TEST(Gallery, IsXml) {
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TETPROOF_SOURCE_DIR "/corpus/gallery")) {
+    EXPECT_LT(std::filesystem::file_size(entry), 300000u) << entry;
+    const Outcome parsed =
+        run_program({"python3", "-c",
+                     "import sys, xml.etree.ElementTree as tree\n"
+                     "root = tree.parse(sys.argv[1]).getroot()\n"
+                     "print(root.tag, len(root.findall('.//{http://www.w3.org/2000/svg}path')) > 5)",
+                     entry.path().string()});
+    EXPECT_EQ(parsed.out, "{http://www.w3.org/2000/svg}svg True\n") << parsed;
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 4);
+}
+
+}  // namespace
+}  // namespace tetproof::test
