@@ -19,7 +19,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FILES = ("unit_sphere.STL", "torus.STL", "NACA0012.obj", "spot.obj", "BONESkull.stl", "plate_holes.STL", "1002_tray_bottom.STL",
          "Cray_left.obj", "hull-body.obj", "ct_skull.off")
-CELLS = {"plate_holes.STL": "48", "1002_tray_bottom.STL": "48,6,48", "Cray_left.obj": "64"}  # thinner than 24 cells resolve
+CELLS = {"plate_holes.STL": "48", "1002_tray_bottom.STL": "48,6,48", "Cray_left.obj": "64", "wing:naca=0012,n=5000": "64"}  # thinner than 24 cells resolve
 GENERATED = ("sphere:r=1,n=5000", "torus:R=1,r=0.4,n=5000", "wing:naca=0012,n=5000")  # with a parametric definition
 VOLUMES = (("0.1", "1"), ("0.2", "2"))
 EXPONENTS = (("1/4", "0.25"), ("1", "1"), ("3", "3"))
