@@ -1,19 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# From a clone to a verified grid, on a fresh Debian 12 too: set-up, then the surface of a skull is meshed, judged and written into out/.
+# From a clone to a verified grid and its picture, on a fresh Debian 12 too: set-up, then the surface of a skull is meshed, judged and written into out/.
 # usage: corpus/demo.sh [OPTION OF tetproof-mesh...]     for example: corpus/demo.sh --cells 96
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 .ci/setup.sh --without-tests programs
 mkdir -p out
 echo
-echo "\$ build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh --cells 64 --json out/ct_skull.json $*"
-build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh --cells 64 --json out/ct_skull.json "$@"
+command=(build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh --cells 64 --json out/ct_skull.json --figure out/ct_skull.svg --plane x=120 "$@")
+echo "\$ ${command[*]}"
+"${command[@]}"
 echo
 echo "\$ build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu"
 build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu
 echo
 echo "What lies in out/:"
-for file in ct_skull.msh:"the grid; Gmsh opens it" ct_skull.vtu:"the same for ParaView" ct_skull.json:"the report"; do
+for file in ct_skull.msh:"the grid; Gmsh opens it" ct_skull.vtu:"the same for ParaView" ct_skull.json:"the report" \
+  ct_skull.svg:"the cut at x = 120, as in the paper's figures; corpus/gallery.sh makes those"; do
   printf '  %-18s %8s  %s\n' "out/${file%%:*}" "$(du -h --apparent-size "out/${file%%:*}" | cut -f1)" "${file#*:}"
 done

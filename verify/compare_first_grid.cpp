@@ -170,7 +170,7 @@ void FirstGrid::compare(TraceStream& other, Differences& differences, std::vecto
             fmt::format("{}: {} in other", where(record.tet), entry ? "twice" : "only"),
             {entry ? entry->line : 0, entry ? "has it once" : "nothing",
              entry ? to_line(this->record(*entry)) : ""},
-            {line, text(record.tet), to_line(record)}};
+            {line, short_text(record.tet), to_line(record)}};
       });
     } else {
       summary = record;
@@ -187,7 +187,7 @@ void FirstGrid::compare(TraceStream& other, Differences& differences, std::vecto
       differences.add(Step::first_grid, entry.line, 0, [&] {
         const Weight weight = record(entry);
         return Differences::Difference{fmt::format("{}: only in reference", where(weight.tet)),
-                                       {entry.line, text(weight.tet), to_line(weight)},
+                                       {entry.line, short_text(weight.tet), to_line(weight)},
                                        {0, "nothing"}};
       });
 }

@@ -34,22 +34,21 @@ struct Split {
 Says side(const Split& split, const std::string& more = "") {
   return {split.line,
           fmt::format("row {}, E'avg {}{}: {}", split.insertion.row, split.insertion.e_avg, more,
-                      text(split.insertion.tet)),
+                      short_text(split.insertion.tet)),
           to_line(split.insertion)};
 }
 
 std::string place(const Split& split) {
   const char* const simplex[] = {"edge", "face", "tetrahedron"};
   std::string text = fmt::format("in the {}", simplex[split.insertion.replaced.size() - 2]);
-  for (const int i : split.insertion.replaced)
-    text += fmt::format(" {}", verify::text(split.insertion.tet[i]));
+  for (const int i : split.insertion.replaced) text += fmt::format(" {}", short_text(split.insertion.tet[i]));
   return text;
 }
 
 std::string says(const Flip& flip) {
   return fmt::format("{} flip of the face {} {} {} and the edge {} {}", flip.two_to_three ? "2-3" : "3-2",
-                     text(flip.face[0]), text(flip.face[1]), text(flip.face[2]), text(flip.edge[0]),
-                     text(flip.edge[1]));
+                     short_text(flip.face[0]), short_text(flip.face[1]), short_text(flip.face[2]),
+                     short_text(flip.edge[0]), short_text(flip.edge[1]));
 }
 
 class Insertions {

@@ -64,8 +64,12 @@ std::string text(const trace::LatticeVertex& vertex) {
   return fmt::format("({}, {}, {})", vertex[0], vertex[1], vertex[2]);
 }
 
-std::string text(const trace::Tet& tet) {
-  return text(tet[0]) + " " + text(tet[1]) + " " + text(tet[2]) + " " + text(tet[3]);
+std::string short_text(const trace::Point& point) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x(), point.y(), point.z());
+}
+
+std::string short_text(const trace::Tet& tet) {
+  return short_text(tet[0]) + " " + short_text(tet[1]) + " " + short_text(tet[2]) + " " + short_text(tet[3]);
 }
 
 std::string at(const trace::Tet& tet) {
@@ -82,8 +86,7 @@ std::pair<std::string, std::string> apart(double a, double b, int digits) {
     return std::isnan(x) ? "none" : fmt::format("{:.{}g}", x, most);
   };
   for (int more = digits; more <= 17; ++more) {
-    std::pair words{word(a, more), word(b, more)};
-    if (words.first != words.second) return words;
+    if (word(a, more) != word(b, more)) return {word(a, more + 1), word(b, more + 1)};
   }
   return {word(a, digits), word(b, digits)};
 }

@@ -111,9 +111,10 @@ void tell(TraceComparison& result, Step step, std::int64_t count, const Differen
 // Words.
 std::string text(const trace::Point& point);           ///< (x, y, z), all digits
 std::string text(const trace::LatticeVertex& vertex);  ///< (i, j, k)
-std::string text(const trace::Tet& tet);               ///< its four points
+std::string short_text(const trace::Point& point);     ///< (x, y, z) in six digits: the record has them all
+std::string short_text(const trace::Tet& tet);         ///< its four points
 std::string at(const trace::Tet& tet);                 ///< its centroid in a few digits
-/// Two numbers with as many digits as it takes to see that they differ, at least `digits`.
+/// Two numbers with one digit more than it takes to see that they differ, at least `digits`.
 std::pair<std::string, std::string> apart(double a, double b, int digits = 4);
 std::pair<std::string, std::string> apart(std::int64_t a, std::int64_t b);
 std::string counted(std::int64_t n, const char* one, const char* many);
