@@ -3,85 +3,16 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
-#include <tuple>
+#include <utility>
 
 #include "io/error.hpp"
-#include "reference/contacts.hpp"
-#include "reference/exact.hpp"
-#include "reference/insertion.hpp"
+#include "reference/follow_first_grid.hpp"
 
 namespace tetproof::reference {
 namespace {
-
-constexpr double tie = 1e-12;        // relative: two choices as good as each other
-constexpr double agree = 1e-9;       // relative: two computations of one number
-constexpr double same_place = 1e-9;  // of the grid's diagonal: two computations of one point
-
-// The first decision that is not admissible.
-struct Divergence {
-  std::string what;
-};
-
-std::string text(const Eigen::Vector3d& p) {
-  return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x(), p.y(), p.z());
-}
-
-template <std::size_t N>
-std::string text(const std::array<Eigen::Vector3d, N>& points) {
-  std::string all;
-  for (const auto& p : points) {
-    if (!all.empty()) all += ' ';
-    all += text(p);
-  }
-  return all;
-}
-
-bool close(double a, double b) {
-  return std::abs(a - b) <= agree * std::max(std::abs(a), std::abs(b));
-}
-
-struct Lexicographic {
-  bool operator()(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-    return lexicographically_less(a, b);
-  }
-};
-
-// The points of a trace as points of our grid.
-class Points {
- public:
-  explicit Points(const TetMesh& mesh) : mesh_(mesh), tree_(mesh.points) {
-    Eigen::AlignedBox<double, 3> box;
-    for (const auto& p : mesh.points) box.extend(p);
-    reach_ = same_place * box.diagonal().norm();
-  }
-  double reach() const { return reach_; }
-
-  Index find(const Eigen::Vector3d& p) {
-    if (const auto known = known_.find(p); known != known_.end()) return known->second;
-    if (!p.allFinite()) throw Divergence{"a point is not finite"};
-    const double distance = tree_.distance(p);
-    if (distance > reach_) throw Divergence{fmt::format("there is no point {} in the grid", text(p))};
-    return known_.emplace(p, tree_.nearest(p, distance)).first->second;
-  }
-  void add(const Eigen::Vector3d& p, Index number) { known_.insert_or_assign(p, number); }
-  const std::map<Eigen::Vector3d, Index, Lexicographic>& known() const { return known_; }
-
- private:
-  const TetMesh& mesh_;
-  VertexTree tree_;
-  std::map<Eigen::Vector3d, Index, Lexicographic> known_;
-  double reach_;
-};
-
-Corners sorted(Corners tet) {
-  std::sort(tet.begin(), tet.end());
-  return tet;
-}
 
 class Follower {
  public:
@@ -100,8 +31,10 @@ class Follower {
 
   Adaptation run() {
     try {
-      read_step_v();
-      start();
+      TraceStart start = read_start(reader_, settings_);
+      start_with(adopt(grid_, start, points_));
+      compare_weights(start, *insertion_, points_);
+      record_ = std::move(start.next);
       while (record_) step();
       throw InputError(fmt::format("{}:{}: expected an 'end' record, found the end of the file",
                                    reader_.path(), reader_.line()));
@@ -120,116 +53,14 @@ class Follower {
 
   void next() { record_ = reader_.next(); }
 
-  // Goes to the first record of step (vi), over the weights.
-  void read_step_v() {
-    for (next(); record_; next()) {
-      if (std::holds_alternative<trace::Insertion>(*record_) ||
-          std::holds_alternative<trace::Flip>(*record_) || std::holds_alternative<trace::End>(*record_))
-        break;
-      if (const auto* settings = std::get_if<trace::Settings>(&*record_)) compare(*settings);
-      if (const auto* first = std::get_if<trace::FirstGrid>(&*record_)) first_grid_ = *first;
-      if (const auto* weight = std::get_if<trace::Weight>(&*record_))
-        weights_.push_back({*weight, reader_.line()});
-    }
-    if (!first_grid_ || weights_.empty())
-      throw InputError(fmt::format(
-          "{}: expected the records 'first_grid' and 'weight' of step (v), found none", reader_.path()));
-  }
-
-  // What was asked for, but for the number of points, which the end tells.
-  void compare(const trace::Settings& theirs) const {
-    const auto same = [](const auto& trace, const auto& here, std::string_view name) {
-      if (trace != here)
-        throw Divergence{fmt::format("settings: the trace has {} {}, this run {}", name, trace, here)};
-    };
-    const auto same_number = [&](double trace, double here, std::string_view name) {
-      if (!close(trace, here)) same(trace, here, name);
-    };
-    same(theirs.region, settings_.region, "region");
-    same_number(theirs.box_scale, settings_.box_scale, "box_scale");
-    same_number(theirs.on_surface, settings_.on_surface, "on_surface");
-    same(theirs.diagonals, settings_.diagonals, "diagonals");
-    same(theirs.literal, settings_.literal, "literal");
-    same_number(theirs.p, settings_.p, "p");
-    same(theirs.curvature, settings_.curvature, "curvature");
-    same(theirs.parametric, settings_.parametric, "parametric");
-    same(theirs.improve, settings_.improve, "improve");
-    if (settings_.improve != "none")
-      same_number(theirs.improve_below, settings_.improve_below, "improve_below");
-    same(theirs.past_dilution, settings_.past_dilution, "past_dilution");
-  }
-
-  // The first grid with the trace's coordinates, and its weights compared.
-  void start() {
-    Grid adopted = grid_;
-    std::map<Corners, std::size_t> named;
-    for (std::size_t w = 0; w < weights_.size(); ++w) {
-      Corners tet;
-      for (int v = 0; v < 4; ++v) tet[v] = points_.find(weights_[w].first.tet[v]);
-      if (!named.emplace(sorted(tet), w).second)
-        throw Divergence{"the first grid: the tetrahedron at " + text(weights_[w].first.tet) +
-                         " comes twice"};
-    }
-    for (const auto& [place, number] : points_.known()) adopted.mesh.points[number] = place;
-    for (std::size_t t = 0; t < grid_.mesh.tets.size(); ++t) {
-      const auto& [a, b, c, d] = grid_.mesh.tets[t];
-      const auto& x = adopted.mesh.points;
-      if (!named.contains(sorted(grid_.mesh.tets[t])))
-        throw Divergence{"the first grid: no tetrahedron at " + text(std::array{x[a], x[b], x[c], x[d]})};
-      if (orientation(x[a], x[b], x[c], x[d]) <= 0)
-        throw Divergence{"the first grid: the tetrahedron at " + text(std::array{x[a], x[b], x[c], x[d]}) +
-                         " is not positive with these coordinates"};
-    }
-    if (named.size() != grid_.mesh.tets.size())
-      throw Divergence{
-          fmt::format("the first grid has {} tetrahedra, not {}", grid_.mesh.tets.size(), named.size())};
-    start_with(adopted);
-    const Adaptation& ours = insertion_->so_far();
-    const auto expect_curvature = [&](const std::optional<double>& theirs, double of_ours,
-                                      std::string_view name) {
-      if (theirs && std::abs(*theirs - of_ours) > agree * ours.kappa_max) expect(*theirs, of_ours, name);
-    };
-    expect_curvature(first_grid_->kappa_min, ours.kappa_min, "the smallest absolute curvature (D15)");
-    expect_curvature(first_grid_->kappa_max, ours.kappa_max, "the largest absolute curvature (D15)");
-    for (Index t = 0; t < insertion_->grid().grid().numbers(); ++t) {
-      const auto& [weight, line] = weights_[named.at(sorted(insertion_->grid().grid().corners(t)))];
-      compare(weight, insertion_->grid().weight(t));
-    }
-    expect(first_grid_->v0, ours.law.v0, "V0");
-    expect(first_grid_->v1, ours.law.v1, "V1");
-    expect(first_grid_->d1, ours.law.d1, "d1");
-    if (!same_average(first_grid_->e_avg, ours.e_avg_first))
-      expect(first_grid_->e_avg, ours.e_avg_first, "E_avg of the first grid, eq. (3.4),");
-  }
-
   void start_with(const Grid& grid) {
     insertion_.emplace(grid, surface_, options_, true_surface_, listener_);
     for (Index t = 0; t < insertion_->grid().grid().numbers(); ++t)
       tets_.emplace(sorted(insertion_->grid().grid().corners(t)), t);
   }
 
-  static void expect(double theirs, double ours, std::string_view name) {
-    if (!close(theirs, ours)) throw Divergence{fmt::format("{} is {:.12g}, not {:.12g}", name, ours, theirs)};
-  }
-
-  // An average error far below the mean volume is known to the rounding of volumes only.
-  double rounding() const { return 1e-14 * insertion_->so_far().mean_volume; }
-  bool same_average(double a, double b) const { return close(a, b) || std::abs(a - b) <= rounding(); }
-  double just_above(double e_avg) const { return e_avg * (1 + tie) + rounding(); }
-
-  void compare(const trace::Weight& theirs, const Weight& ours) const {
-    const std::string at = " of the tetrahedron at " + text(theirs.tet);
-    const double scale = points_.reach();  // a centroid on a vertex has a distance of rounding only
-    if (std::abs(theirs.d - ours.d) > scale) expect(theirs.d, ours.d, "d, eq. (3.2)," + at);
-    if (theirs.kappa && std::abs(*theirs.kappa - ours.kappa) > agree * insertion_->so_far().kappa_max)
-      expect(*theirs.kappa, ours.kappa, "the absolute curvature kappa (D15)" + at);
-    expect(theirs.omega, ours.omega, "omega, eq. (3.6)," + at);
-    const double size = std::max(ours.volume, ours.desired);
-    if (std::abs(theirs.volume - ours.volume) > agree * size) expect(theirs.volume, ours.volume, "V" + at);
-    expect(theirs.desired, ours.desired, "V(d), eq. (3.1)," + at);
-    if (std::abs(theirs.error - ours.error) > agree * size)
-      expect(theirs.error, ours.error, "E, eq. (3.3)," + at);
-  }
+  bool same_average(double a, double b) const { return reference::same_average(*insertion_, a, b); }
+  double just_above(double e_avg) const { return e_avg * (1 + tie) + rounding_of_averages(*insertion_); }
 
   void step() {
     if (const auto* end = std::get_if<trace::End>(&*record_)) {
@@ -463,11 +294,9 @@ class Follower {
   const trace::Settings& settings_;
   const Listener& listener_;
   trace::Reader reader_;
-  Points points_;
+  TracePoints points_;
   Follow& outcome_;
   std::optional<trace::Record> record_;
-  std::optional<trace::FirstGrid> first_grid_;
-  std::vector<std::pair<trace::Weight, std::int64_t>> weights_;
   std::optional<Insertion> insertion_;
   std::map<Corners, Index> tets_;  // alive, by sorted corners
   Stop stopped_ = Stop::diverged;
