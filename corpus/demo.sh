@@ -7,7 +7,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 .ci/setup.sh --without-tests programs
 mkdir -p out
 echo
-command=(build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh --cells 64 --json out/ct_skull.json --figure out/ct_skull.svg --plane x=120 "$@")
+# An option stands once: what is given here takes the place of ours.
+defaults=()
+[[ " $* " == *" --cells"* ]] || defaults+=(--cells 64)
+[[ " $* " == *" --plane"* ]] || defaults+=(--plane x=120)
+command=(build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh "${defaults[@]}" --json out/ct_skull.json --figure out/ct_skull.svg "$@")
 echo "\$ ${command[*]}"
 "${command[@]}"
 echo
@@ -16,6 +20,6 @@ build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu
 echo
 echo "What lies in out/:"
 for file in ct_skull.msh:"the grid; Gmsh opens it" ct_skull.vtu:"the same for ParaView" ct_skull.json:"the report" \
-  ct_skull.svg:"the cut at x = 120, as in the paper's figures; corpus/gallery.sh makes those"; do
+  ct_skull.svg:"a plane's cut through it, as in the paper's figures; corpus/gallery.sh makes those"; do
   printf '  %-18s %8s  %s\n' "out/${file%%:*}" "$(du -h --apparent-size "out/${file%%:*}" | cut -f1)" "${file#*:}"
 done
