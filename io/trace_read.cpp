@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/trace.hpp"
-
+// Reads a trace, line by line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,12 +9,10 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
-#include <type_traits>
 
 #include "io/error.hpp"
-#include "io/text_output.hpp"
+#include "io/trace_records.hpp"
 
 namespace tetproof::trace {
 namespace {
@@ -24,107 +21,6 @@ using nlohmann::json;
 
 constexpr std::size_t longest_line = 8 << 20;  // bytes; the indicators of four million vertices in a row
 constexpr int deepest = 16;                    // of nested brackets: tets need three
-
-// The keys of a record in the order in which they are written; `field` reads or writes each.
-template <class R, class Fields>
-void describe(R& r, Fields& field) {
-  using T = std::remove_const_t<R>;
-  if constexpr (std::is_same_v<T, Settings>) {
-    field.with_defaults();
-    field("program", r.program), field("surface", r.surface), field("region", r.region);
-    field("box_scale", r.box_scale), field("on_surface", r.on_surface), field("diagonals", r.diagonals);
-    field("literal", r.literal), field("p", r.p), field("curvature", r.curvature);
-    field("parametric", r.parametric), field("improve", r.improve), field("improve_below", r.improve_below);
-    field("points", r.points), field("past_dilution", r.past_dilution);
-  } else if constexpr (std::is_same_v<T, Lattice>) {
-    field("box", r.box), field("cells", r.cells);
-  } else if constexpr (std::is_same_v<T, Indicators>) {
-    field("j", r.j), field("k", r.k), field("initial", r.initial), field("after", r.after);
-  } else if constexpr (std::is_same_v<T, Moved>) {
-    field("vertex", r.vertex), field("point", r.point), field.with_defaults(), field("mended", r.mended);
-  } else if constexpr (std::is_same_v<T, Cut>) {
-    field("edge", r.edge), field("point", r.point);
-  } else if constexpr (std::is_same_v<T, Rows>) {
-    field("cell", r.cell), field("rows", r.rows);
-  } else if constexpr (std::is_same_v<T, Mapped>) {
-    field("from", r.from), field("to", r.to);
-  } else if constexpr (std::is_same_v<T, FirstGrid>) {
-    field("points", r.points), field("tets", r.tets), field("mean_volume", r.mean_volume);
-    field("v0", r.v0), field("v1", r.v1), field("d1", r.d1);
-    field("kappa_min", r.kappa_min), field("kappa_max", r.kappa_max), field("e_avg", r.e_avg);
-  } else if constexpr (std::is_same_v<T, Weight>) {
-    field("tet", r.tet), field("d", r.d), field("kappa", r.kappa), field("omega", r.omega);
-    field("volume", r.volume), field("desired", r.desired), field("error", r.error);
-  } else if constexpr (std::is_same_v<T, Insertion>) {
-    field("n", r.n), field("tet", r.tet), field("row", r.row), field("replaced", r.replaced);
-    field("point", r.point), field("e_avg", r.e_avg);
-  } else if constexpr (std::is_same_v<T, Flip>) {
-    field.choice("kind", r.two_to_three, "2-3", "3-2"), field("face", r.face), field("edge", r.edge);
-    field.pair("quality", r.quality_before, r.quality_after), field("e_avg", r.e_avg);
-  } else {
-    static_assert(std::is_same_v<T, End>);
-    field("stopped", r.stopped), field("insertions", r.insertions), field("flips", r.flips);
-    field("refused", r.refused), field("points", r.points), field("tets", r.tets), field("e_avg", r.e_avg);
-  }
-}
-
-// In the order of the variant.
-constexpr std::array<const char*, std::variant_size_v<Record>> names{
-    "settings", "lattice",    "indicators", "moved",     "cut",  "rows",
-    "mapped",   "first_grid", "weight",     "insertion", "flip", "end"};
-
-class Writer {
- public:
-  explicit Writer(const char* name) : line_(fmt::format("{{\"record\":\"{}\"", name)) {}
-  std::string line() && { return std::move(line_) + "}"; }
-
-  void with_defaults() {}
-  template <class T>
-  void operator()(const char* key, const T& value) {
-    name(key);
-    put(value);
-  }
-  void operator()(const char* key, const std::optional<double>& value) {
-    if (value) (*this)(key, *value);
-  }
-  void choice(const char* key, bool value, const char* yes, const char* no) {
-    name(key);
-    line_ += fmt::format("\"{}\"", value ? yes : no);
-  }
-  void pair(const char* key, double first, double second) { (*this)(key, std::array{first, second}); }
-
- private:
-  void name(const char* key) { line_ += fmt::format(",\"{}\":", key); }
-  void put(bool value) { line_ += value ? "true" : "false"; }
-  void put(int value) { line_ += std::to_string(value); }
-  void put(std::int64_t value) { line_ += std::to_string(value); }
-  void put(double value) {
-    if (!std::isfinite(value)) throw std::logic_error("a trace was given a number that is not finite");
-    char text[io::longest_real];
-    if (value == 0 && std::signbit(value))
-      line_ += "-0.0";  // a JSON reader may take -0 for an integer
-    else
-      line_.append(text, io::put(text, value));
-  }
-  void put(const std::string& value) {
-    line_ += json(value).dump(-1, ' ', false, json::error_handler_t::replace);
-  }
-  void put(const Point& value) { put(std::array{value[0], value[1], value[2]}); }
-  template <class T, std::size_t n>
-  void put(const std::array<T, n>& values) {
-    list(values);
-  }
-  void put(const std::vector<int>& values) { list(values); }
-  template <class Values>
-  void list(const Values& values) {
-    line_ += '[';
-    for (const auto& value : values) put(value), line_ += ',';
-    if (!values.empty()) line_.pop_back();
-    line_ += ']';
-  }
-
-  std::string line_;
-};
 
 // What a message shows of a value: printable and short, however large or deep it is.
 std::string shown(const json& value, int depth = 0) {
@@ -311,16 +207,6 @@ json parse(const std::string& line, const std::string& place) {
 }
 
 }  // namespace
-
-std::string to_line(const Record& record) {
-  Writer writer(name_of(record));
-  std::visit([&](const auto& r) { describe(r, writer); }, record);
-  return std::move(writer).line();
-}
-
-const char* name_of(const Record& record) {
-  return names[record.index()];
-}
 
 Reader::Reader(const std::string& path) : path_(path) {
   const auto fail = [&](const char* what, int reason) {
