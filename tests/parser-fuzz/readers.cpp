@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers.hpp"
 
+#include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include "io/error.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/surface_files.hpp"
+#include "io/trace.hpp"
 
 namespace tetproof::test {
 namespace {
@@ -60,6 +63,23 @@ void mesh(const std::string& path) {
   losses("a.stl", read);
 }
 
+// What was read must be fit to be written, and mean the same when it is read again.
+void trace_of(const std::string& path) {
+  trace::Reader reader(path);
+  std::string text;
+  std::size_t records = 0;
+  for (; const std::optional<trace::Record> record = reader.next(); ++records)
+    text += trace::to_line(*record) + "\n";
+  if (records == 0) return;
+  const std::string again = path + ".again";
+  std::ofstream(again) << text;
+  trace::Reader second(again);
+  for (; const std::optional<trace::Record> record = second.next(); --records)
+    if (text.find(trace::to_line(*record) + "\n") == std::string::npos)
+      throw std::logic_error("a record that is not the one that was written");
+  if (records != 0) throw std::logic_error("not as many records as were written");
+}
+
 }  // namespace
 
 std::vector<Reader> readers() {
@@ -79,6 +99,7 @@ std::vector<Reader> readers() {
       {"Msh22BigEndian", "meshes/two_22_big_endian.msh", mesh},
       {"TetgenNodes", "meshes/two.1.node", mesh, {"meshes/two.1.ele"}},
       {"TetgenTetrahedra", "meshes/two.1.ele", mesh, {"meshes/two.1.node"}},
+      {"Trace", "traces/every_record.jsonl", trace_of},
   };
 }
 
