@@ -49,6 +49,8 @@ struct Adaptation {
   double kappa_outlier_ratio = 1;       ///< with curvature: kappa_max over the 99th percentile (reading D15)
   double e_avg_first = 0, e_avg_last = 0;
   std::int64_t insertions = 0, refused = 0, flips = 0;
+  std::int64_t left =
+      0;  ///< points not moved to the parametric surface, or the boundary would cross itself (D12)
   std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
   Stop stopped = Stop::no_gain;
 };

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "reference/contacts.hpp"
@@ -115,7 +116,8 @@ double outlier_ratio(std::vector<double> curvatures) {
   const auto at = curvatures.begin() + static_cast<std::ptrdiff_t>((curvatures.size() - 1) * 99 / 100);
   std::nth_element(curvatures.begin(), at, curvatures.end());
   const double largest = *std::max_element(at, curvatures.end());
-  return *at > 0 ? largest / *at : 1;
+  if (largest == 0) return 1;
+  return *at > 0 ? largest / *at : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace tetproof::reference

@@ -195,9 +195,9 @@ class Follower {
       for (int k = 0; k < split.pieces; ++k) ours.push_back(grid.grid().corners(tet)[split.replaced[k]]);
       std::sort(ours.begin(), ours.end());
       if (ours != replaced) continue;
-      const Eigen::Vector3d point = grid.candidate(tet, split).split.point;
+      const Candidate own = grid.candidate(tet);
       const Eigen::Vector3d expected =
-          split.on_surface && true_surface_ ? grid.candidate(tet).split.point : point;
+          own.moved && !grid.crosses_boundary(own) ? own.split.point : split.point;
       if (!((theirs.point - expected).norm() <= points_.reach()))
         throw Divergence{
             fmt::format("{}row {} of Table 4 puts the point of the tetrahedron at {} at {}, not {}", name,

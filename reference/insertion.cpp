@@ -97,10 +97,16 @@ std::optional<Stop> Insertion::stop_by_progress() const {
 Choice Insertion::choose() {
   if (const auto stop = stop_by_progress()) return {.stop = stop};
   std::optional<Candidate> chosen = grid_->best();  // eq. (3.5)
-  while (chosen && grid_->e_avg_after(*chosen) < grid_->e_avg() && !grid_->is_positive(*chosen)) {
-    grid_->refuse(chosen->tet);  // reading D18
-    ++result_.refused;
-    chosen = grid_->best();
+  for (; chosen && grid_->e_avg_after(*chosen) < grid_->e_avg(); chosen = grid_->best()) {
+    if (!grid_->is_positive(*chosen)) {
+      grid_->refuse(chosen->tet);  // reading D18
+      ++result_.refused;
+    } else if (grid_->crosses_boundary(*chosen)) {
+      grid_->leave_point(chosen->tet);  // reading D12
+      ++result_.left;
+    } else {
+      break;
+    }
   }
   Choice choice{.best = chosen};
   if (!chosen || !(grid_->e_avg_after(*chosen) < grid_->e_avg())) {

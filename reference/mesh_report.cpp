@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace tetproof::reference {
@@ -37,6 +38,7 @@ Json adaptation_json(const Adaptation& a) {
             {"insertions", a.insertions},
             {"rows", counts_by_row(tables::table4, a.rows)},
             {"refused", a.refused},
+            {"left", a.left},
             {"flips", a.flips},
             {"stopped", name_of(a.stopped)}};
   if (a.with_curvature) {
@@ -61,11 +63,14 @@ std::string adaptation_text(const Adaptation& a) {
       why);
   if (a.refused)
     text += fmt::format("  {} splits refused: rounding would have flattened a piece (D18)\n", a.refused);
+  if (a.left)
+    text += fmt::format(
+        "  {} new points not moved to the parametric surface, or the boundary would cross itself (D12)\n",
+        a.left);
   if (a.kappa_outlier_ratio > 10)
     text += fmt::format(
-        "  the largest curvature is {:.0f} times the 99th percentile: a few outliers decide eq. (3.6) "
-        "(D15)\n",
-        a.kappa_outlier_ratio);
+        "  the largest curvature is {} the 99th percentile: a few outliers decide eq. (3.6) (D15)\n",
+        std::isinf(a.kappa_outlier_ratio) ? "not 0 as" : fmt::format("{:.0f} times", a.kappa_outlier_ratio));
   return text;
 }
 

@@ -7,10 +7,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Eigen/Geometry>
+#include <numeric>
+#include <span>
 #include <stdexcept>
 
+#include "reference/boundary_faces.hpp"
 #include "reference/contacts.hpp"
 #include "reference/exact.hpp"
+#include "reference/triangulation.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -65,29 +69,84 @@ Eigen::Vector3d TrueSurface::operator()(const Eigen::Vector3d& point) const {
   return mapped.allFinite() ? mapped : point;
 }
 
+namespace {
+
+// For each point the tetrahedra, or faces, that have it.
+template <class Simplex>
+class Stars {
+ public:
+  Stars(const std::vector<Simplex>& simplices, std::size_t points) : first_(points + 1, 0) {
+    for (const Simplex& simplex : simplices)
+      for (const Index p : simplex) ++first_[p + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    members_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t s = 0; s < simplices.size(); ++s)
+      for (const Index p : simplices[s]) members_[next[p]++] = s;
+  }
+  std::span<const std::size_t> of(std::size_t point) const {
+    return std::span(members_).subspan(first_[point], first_[point + 1] - first_[point]);
+  }
+
+ private:
+  std::vector<std::size_t> first_, members_;
+};
+
+std::vector<std::array<Index, 3>> boundary_of(const Grid& grid) {
+  const Triangulation triangulation(grid.mesh, grid.on_surface);
+  std::vector<std::array<Index, 3>> boundary;
+  for (Index t = 0; t < triangulation.numbers(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (triangulation.neighbour(t, f) < 0) {
+        const auto& [i, j, k] = tet_faces[f];
+        const Corners& tet = triangulation.corners(t);
+        boundary.push_back({tet[i], tet[j], tet[k]});
+      }
+  return boundary;
+}
+
+}  // namespace
+
 std::vector<MappedPoint> move_surface_points(Grid& grid, const TrueSurface& surface) {
   TetMesh& mesh = grid.mesh;
-  std::vector<std::uint32_t> first(mesh.points.size() + 1, 0);  // the tetrahedra around each point
-  for (const auto& tet : mesh.tets)
-    for (const Index p : tet) ++first[p + 1];
-  for (std::size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
-  std::vector<Index> around(4 * mesh.tets.size());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (const Index p : mesh.tets[t]) around[next[p]++] = static_cast<Index>(t);
+  const std::vector<std::array<Index, 3>> boundary = boundary_of(grid);
+  const Stars tets(mesh.tets, mesh.points.size());
+  const Stars faces(boundary, mesh.points.size());
+  const auto face = [&](std::size_t f) {
+    const auto& [a, b, c] = boundary[f];
+    return BoundaryFace{boundary[f], {mesh.points[a], mesh.points[b], mesh.points[c]}};
+  };
+  double longest = 0;
+  for (std::size_t f = 0; f < boundary.size(); ++f) {
+    const auto corners = face(f).corners;
+    longest = std::max(longest, (corners[1] - corners[0]).norm());
+  }
+  BoundaryFaces places(longest);
+  for (std::size_t f = 0; f < boundary.size(); ++f) places.add(face(f));
 
-  const auto positive = [&](Index t) {
+  const auto positive = [&](std::size_t t) {
     const auto& [a, b, c, d] = mesh.tets[t];
     return orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) > 0;
   };
+  const auto add = [&](std::size_t f) { places.add(face(f)); };
+  const auto remove = [&](std::size_t f) { places.remove(face(f)); };
+  const auto all = [](const BoundaryFace&) { return true; };
   std::vector<MappedPoint> mapped;
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
     if (!grid.on_surface[p]) continue;
     const Eigen::Vector3d from = mesh.points[p], to = surface(from);
     if (to == from) continue;
+    const auto around = tets.of(p);
+    const auto star = faces.of(p);
+    std::for_each(star.begin(), star.end(), remove);
     mesh.points[p] = to;
-    const bool moved = std::all_of(around.begin() + first[p], around.begin() + first[p + 1], positive);
+    bool moved = std::all_of(around.begin(), around.end(), positive);
+    for (std::size_t f = 0; moved && f < star.size(); ++f) {
+      moved = !places.meets(face(star[f]), all);
+      for (std::size_t g = 0; moved && g < f; ++g) moved = !faces_meet(face(star[f]), face(star[g]));
+    }
     if (!moved) mesh.points[p] = from;
+    std::for_each(star.begin(), star.end(), add);
     mapped.push_back({static_cast<Index>(p), from, to, moved});
   }
   return mapped;

@@ -28,12 +28,12 @@ class TrueSurface {
 struct MappedPoint {
   Index point;
   Eigen::Vector3d from, to;
-  bool moved;  ///< else `to` was refused: a tetrahedron would not be positive
+  bool moved;  ///< else `to` was refused
 };
 
-/// Moves the surface points of a first grid to the true surface, in order of their numbers, each only if all
-/// its tetrahedra stay exactly positive with the points before it moved (reading D12). Those that are there
-/// already are left out of what is returned.
+/// Moves the surface points of a first grid to the true surface, in order of their numbers, each only if,
+/// with the points before it moved, all its tetrahedra stay exactly positive and the boundary does not meet
+/// itself (reading D12). Those that are there already are left out of what is returned.
 std::vector<MappedPoint> move_surface_points(Grid& grid, const TrueSurface& surface);
 
 }  // namespace tetproof::reference

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "reference/exact.hpp"
@@ -23,6 +24,22 @@ WeightedGrid::WeightedGrid(Triangulation grid, const Weighting& weighting,
     sum_.add(weights_[t].error);
     queues_[pieces[t] - 2].push(entries[t]);
   }
+  if (!to_surface_ || grid_.tets() == 0) return;
+  CompensatedSum volume;
+  for (const Weight& w : weights_) volume.add(w.volume);
+  boundary_.emplace(2 * std::cbrt(volume.value() / static_cast<double>(grid_.tets())));
+  for (Index t = 0; t < grid_.numbers(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (grid_.neighbour(t, f) < 0) boundary_->add(face(t, f));
+}
+
+BoundaryFace WeightedGrid::face(Index tet, int f) const {
+  BoundaryFace face;
+  for (int v = 0; v < 3; ++v) {
+    face.names[v] = grid_.corners(tet)[tet_faces[f][v]];
+    face.corners[v] = grid_.point(face.names[v]);
+  }
+  return face;
 }
 
 std::array<Eigen::Vector3d, 4> WeightedGrid::piece(const std::array<Eigen::Vector3d, 4>& corners,
@@ -42,11 +59,15 @@ bool WeightedGrid::pieces_positive(Index tet, const Split& split) const {
 }
 
 Candidate WeightedGrid::candidate(Index tet) const {
-  Split split = split_by_table4(grid_, tet);
-  if (split.on_surface && to_surface_) {
-    Split moved = split;
-    moved.point = to_surface_(split.point);
-    if (pieces_positive(tet, moved)) split = moved;
+  const Split split = split_by_table4(grid_, tet);
+  if (split.on_surface && to_surface_ && !left_.contains(tet)) {
+    Split to_surface = split;
+    to_surface.point = to_surface_(split.point);
+    if (pieces_positive(tet, to_surface)) {
+      Candidate found = candidate(tet, to_surface);
+      found.moved = true;
+      return found;
+    }
   }
   return candidate(tet, split);
 }
@@ -124,29 +145,83 @@ bool WeightedGrid::is_positive(const Candidate& c) const {
   return pieces_positive(c.tet, c.split);
 }
 
-void WeightedGrid::refuse(Index tet) {
+bool WeightedGrid::crosses_boundary(const Candidate& c) const {
+  if (!c.moved) return false;
+  const Corners& corners = grid_.corners(c.tet);
+  std::vector<BoundaryFace> fresh;  // the halves or thirds of the unshared faces that hold the point
+  for (int f = 0; f < 4; ++f) {
+    const bool holds = std::none_of(c.split.replaced.begin(), c.split.replaced.begin() + c.split.pieces,
+                                    [&](int corner) { return corner == f; });
+    if (grid_.neighbour(c.tet, f) >= 0 || !holds) continue;
+    for (int k = 0; k < c.split.pieces; ++k) {
+      BoundaryFace piece = face(c.tet, f);
+      for (int v = 0; v < 3; ++v)
+        if (piece.names[v] == corners[c.split.replaced[k]]) {
+          piece.names[v] = grid_.points();  // as it will be called
+          piece.corners[v] = c.split.point;
+        }
+      fresh.push_back(piece);
+    }
+  }
+  const auto stays =
+      [&](const BoundaryFace& other) {  // faces of the tetrahedron that do not hold the point do
+        int replaced = 0;
+        for (const Index name : other.names)
+          for (int k = 0; k < c.split.pieces; ++k) replaced += name == corners[c.split.replaced[k]];
+        const bool own = std::all_of(other.names.begin(), other.names.end(), [&](Index name) {
+          return std::find(corners.begin(), corners.end(), name) != corners.end();
+        });
+        return !(own && replaced == c.split.pieces);
+      };
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    if (boundary_->meets(fresh[i], stays)) return true;
+    for (std::size_t j = 0; j < i; ++j)
+      if (faces_meet(fresh[i], fresh[j])) return true;
+  }
+  return false;
+}
+
+void WeightedGrid::dequeue(Index tet) {
   for (Queue& queue : queues_)
     if (!queue.empty() && queue.top().tet == tet) queue.pop();
   evaluated_.erase(tet);
+}
+
+void WeightedGrid::leave_point(Index tet) {
+  left_.insert(tet);
+  dequeue(tet);
+  enqueue(tet);
+}
+
+void WeightedGrid::refuse(Index tet) {
+  dequeue(tet);
 }
 
 Index WeightedGrid::apply(const Candidate& c) {
   const Index point = grid_.add_point(c.split.point, c.split.on_surface);
   const auto pieces = pieces_of(grid_.corners(c.tet), c.split, point);
   evaluated_.erase(c.tet);
+  left_.erase(c.tet);
   sum_.add(-weights_[c.tet].error);
+  if (boundary_)
+    for (int f = 0; f < 4; ++f)
+      if (grid_.neighbour(c.tet, f) < 0) boundary_->remove(face(c.tet, f));
   const Index first = grid_.replace(std::array{c.tet}, std::span(pieces).first(c.split.pieces));
   for (int k = 0; k < c.split.pieces; ++k) {
     weights_.push_back(c.pieces[k]);
     sum_.add(c.pieces[k].error);
   }
   for (Index t = first; t < grid_.numbers(); ++t) enqueue(t);
+  for (Index t = first; boundary_ && t < grid_.numbers(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (grid_.neighbour(t, f) < 0) boundary_->add(face(t, f));
   return first;
 }
 
 Index WeightedGrid::exchange(std::span<const Index> old, std::span<const Corners> fresh) {
-  for (const Index t : old) {
+  for (const Index t : old) {  // no flip touches the boundary's faces
     evaluated_.erase(t);
+    left_.erase(t);
     sum_.add(-weights_[t].error);
   }
   const Index first = grid_.replace(old, fresh);

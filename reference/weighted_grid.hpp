@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <unordered_set>
 
+#include "reference/boundary_faces.hpp"
 #include "reference/table4.hpp"
 #include "reference/weighting.hpp"
 
@@ -32,6 +34,7 @@ using MapToSurface = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 struct Candidate {
   Index tet;
   Split split;  ///< with its point on the parametric surface, if there is one and it fits (reading D12)
+  bool moved = false;            ///< whether its point was moved there
   std::array<Weight, 4> pieces;  ///< the first `split.pieces`
   double change;                 ///< of the sum of errors: ((E'_1 + E'_2) + ...) - E_j
 };
@@ -59,6 +62,10 @@ class WeightedGrid {
   std::optional<Candidate> best();
   /// Whether all pieces are exactly positive (reading D18).
   bool is_positive(const Candidate& c) const;
+  /// Whether its point was moved and would carry the boundary through itself (reading D12).
+  bool crosses_boundary(const Candidate& c) const;
+  /// The tetrahedron's point is not to be moved: it is weighed again with the point where Table 4 puts it.
+  void leave_point(Index tet);
   /// Not to be asked again until it changes (reading D18).
   void refuse(Index tet);
 
@@ -83,11 +90,15 @@ class WeightedGrid {
   bool pieces_positive(Index tet, const Split& split) const;
   Entry bound(Index tet, int& pieces) const;
   void enqueue(Index tet);
+  void dequeue(Index tet);
+  BoundaryFace face(Index tet, int f) const;
 
   Triangulation grid_;
   const Weighting& weighting_;
   MapToSurface to_surface_;
-  std::vector<Weight> weights_;  // of each number
+  std::optional<BoundaryFaces> boundary_;  // with a parametric surface only
+  std::unordered_set<Index> left_;         // tetrahedra whose point is not to be moved
+  std::vector<Weight> weights_;            // of each number
   CompensatedSum sum_;
   std::array<Queue, 3> queues_;                     // of splits into 2, 3, 4
   std::unordered_map<Index, Candidate> evaluated_;  // whose entry is exact

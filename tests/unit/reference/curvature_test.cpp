@@ -265,6 +265,10 @@ TEST(OutlierRatio, LargestOverThe99thPercentile) {
   EXPECT_EQ(outlier_ratio(values), 50);
   EXPECT_EQ(outlier_ratio(std::vector<double>(10, 3.0)), 1);
   EXPECT_EQ(outlier_ratio({}), 1);
+  std::vector<double> flat(1000, 0.0);
+  EXPECT_EQ(outlier_ratio(flat), 1);
+  flat[7] = 3;
+  EXPECT_EQ(outlier_ratio(flat), HUGE_VAL) << "a few spikes on a flat body";
 }
 
 }  // namespace
