@@ -53,6 +53,9 @@ struct Adaptation {
       0;  ///< points not moved to the parametric surface, or the boundary would cross itself (D12)
   std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
   Stop stopped = Stop::no_gain;
+  double smallest_solid_angle = 0;    ///< of the grid at the end, of 1 (4 pi)
+  double smallest_aspect_ratio = 0;   ///< D/A [1/length]
+  double smallest_d_over_sqrt_a = 0;  ///< without a unit (reading E5)
 };
 
 /// What is told on the way; any of them may be empty.

@@ -40,7 +40,10 @@ Json adaptation_json(const Adaptation& a) {
             {"refused", a.refused},
             {"left", a.left},
             {"flips", a.flips},
-            {"stopped", name_of(a.stopped)}};
+            {"stopped", name_of(a.stopped)},
+            {"smallest_solid_angle", a.smallest_solid_angle},
+            {"smallest_d_over_a", a.smallest_aspect_ratio},
+            {"smallest_d_over_sqrt_a", a.smallest_d_over_sqrt_a}};
   if (a.with_curvature) {
     json["kappa_min"] = a.kappa_min;
     json["kappa_max"] = a.kappa_max;
@@ -61,6 +64,8 @@ std::string adaptation_text(const Adaptation& a) {
       "  stopped: {}: {}\n",
       a.insertions, a.flips, a.e_avg_first / a.mean_volume, a.e_avg_last / a.mean_volume, name_of(a.stopped),
       why);
+  text += fmt::format("  smallest D/A {:.4g} per length, D/sqrt(A) {:.4g}\n", a.smallest_aspect_ratio,
+                      a.smallest_d_over_sqrt_a);
   if (a.refused)
     text += fmt::format("  {} splits refused: rounding would have flattened a piece (D18)\n", a.refused);
   if (a.left)

@@ -97,10 +97,11 @@ WeightedGrid::Entry WeightedGrid::bound(Index tet, int& pieces) const {
     return {-std::numeric_limits<double>::infinity(), tet, false};
   const auto corners = grid_.corner_points(tet);
   const Weight& whole = weights_[tet];
+  const Eigen::Vector3d centre = centroid(corners[0], corners[1], corners[2], corners[3]);
   double change = -whole.error;
   for (int k = 0; k < split.pieces; ++k) {
     const auto [a, b, c, d] = piece(corners, split, k);
-    const double moved_by = (split.point - corners[split.replaced[k]]).norm() / 4;
+    const double moved_by = (centroid(a, b, c, d) - centre).norm();  // as rounded, far from the origin too
     change += weighting_.least_error(volume(a, b, c, d), whole.d, moved_by);
   }
   constexpr double slack = 1e-12;  // far above the rounding of this sum and of the literal one

@@ -76,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
     Small, EveryStep,
     testing::Values(
         Case{"Sphere", "sphere:r=1,n=500", 5, {.improve = Criterion::none}},
+        Case{"FarFromTheOrigin", "sphere:r=1,n=300,x=9e5,y=-2e5", 4, {.v0 = {0.1}, .v1 = {1}}},
         Case{"SphereSymmetric",
              "sphere:r=1,n=100",
              4,
