@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "corpus/random_surface.hpp"
@@ -102,6 +103,17 @@ TEST(Stopping, AtANumberOfPoints) {
   EXPECT_EQ(made.adaptation->insertions, 17);
   EXPECT_EQ(made.adaptation->stopped, Stop::points);
   EXPECT_EQ(made.mesh().points.size(), made.grid.mesh.points.size() + 17);
+  // The smallest height over the square root of the largest face, of some tetrahedron of the grid at the end.
+  double least = 1;
+  for (const auto& [a, b, c, d] : made.mesh().tets) {
+    const auto& x = made.mesh().points;
+    const double volume_times_3 = std::abs((x[b] - x[a]).cross(x[c] - x[a]).dot(x[d] - x[a])) / 2;
+    double area = 0;
+    for (const auto& [p, q, r] : {std::array{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}})
+      area = std::max(area, (x[q] - x[p]).cross(x[r] - x[p]).norm() / 2);
+    least = std::min(least, volume_times_3 / area / std::sqrt(area));
+  }
+  EXPECT_NEAR(made.adaptation->smallest_d_over_sqrt_a, least, 1e-14);
 }
 
 TEST(Stopping, AtAnAverageError) {
