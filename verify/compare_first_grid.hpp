@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "verify/compare_first_steps.hpp"
+#include "verify/trace_points.hpp"
 
 namespace tetproof::verify {
 
@@ -23,7 +24,7 @@ class FirstGrid {
   void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
 
   const std::optional<trace::FirstGrid>& summary() const { return summary_; }
-  PointIndex& points() { return points_; }  ///< of the first grid, for what comes after it
+  TracePoints& points() { return points_; }  ///< of the first grid, for what comes after it
 
  private:
   struct Entry {
@@ -32,6 +33,7 @@ class FirstGrid {
     std::int64_t line, partner;
   };
   trace::Weight record(const Entry& entry) const;
+  double curvature_scale() const;  ///< [1/length]
   void compare_weight(const Entry& entry, const trace::Weight& weight, std::int64_t line,
                       Differences& differences) const;
   void compare_summary(const std::optional<trace::FirstGrid>& other, std::int64_t other_line,
@@ -41,7 +43,7 @@ class FirstGrid {
 
   const FirstSteps& steps_;
   Tolerance tolerance_;
-  PointIndex points_;
+  TracePoints points_;
   std::vector<Entry> tets_;
   std::unordered_map<TetKey, std::size_t, ArrayHash> by_points_;
   std::optional<trace::FirstGrid> summary_;

@@ -72,29 +72,6 @@ std::string says(const Lattice& lattice) {
                      text(lattice.box[0]), text(lattice.box[1]));
 }
 
-// The first vertex of the row whose indicators differ, and the difference.
-void compare(const Indicators& a, std::int64_t line, const Indicators& b, std::int64_t other_line,
-             Differences& differences) {
-  for (const auto& [step, row, other_row, when] :
-       {std::tuple{Step::indicators, &a.initial, &b.initial, "initially"},
-        std::tuple{Step::table3, &a.after, &b.after, "after Table 3"}}) {
-    for (std::size_t i = 0; i < std::max(row->size(), other_row->size()); ++i) {
-      const char in_reference = i < row->size() ? (*row)[i] : ' ',
-                 in_other = i < other_row->size() ? (*other_row)[i] : ' ';
-      if (in_reference == in_other) continue;
-      differences.add(step, line, other_line, [&, when = when] {
-        const std::string reference = in_reference == ' ' ? "not there" : word(in_reference),
-                          other = in_other == ' ' ? "not there" : word(in_other);
-        return Differences::Difference{
-            fmt::format("lattice vertex ({}, {}, {}) is {} {} in reference, {} in other", i, a.j, a.k, when,
-                        reference, other),
-            {line, reference, to_line(a)},
-            {other_line, other, to_line(b)}};
-      });
-    }
-  }
-}
-
 void compare(const Rows& a, std::int64_t line, const Rows& b, std::int64_t other_line,
              Differences& differences) {
   for (int i = 0; i < 6; ++i)
@@ -147,6 +124,7 @@ void FirstSteps::read(TraceStream& stream, const Take& take) {
 FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.relative = tolerance} {
   read(reference, [&](const auto& record) {
     using R = std::decay_t<decltype(record)>;
+    note(vertices_, record);
     if constexpr (std::is_same_v<R, Settings>) {
       settings_line_ = reference.line();
       settings_ = record;
@@ -172,23 +150,33 @@ FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.r
 void FirstSteps::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
   Settings settings;
   std::int64_t settings_line = 0;
+  // What rounding decides is only known when all has been read.
+  Vertices vertices;
+  std::vector<Waiting> indicators;
+  std::vector<std::pair<Moved, std::int64_t>> moved;
   // Points that must agree, where a record of each trace has one.
-  const auto compare_points = [&](Step step, const auto& entry, const auto& record, const Point& a,
-                                  const Point& b, const std::string& why) {
+  const auto compare_points = [&](Step step, const auto& entry, const auto& record, std::int64_t line,
+                                  const Point& a, const Point& b, const std::string& why,
+                                  bool by_rounding = false) {
     if (tolerance_.same(a, b)) return;
-    differences.add(step, entry.line, other.line(), [&] {
-      return Differences::Difference{fmt::format("{} at {} in reference, at {} in other, {:.3g} apart{}",
-                                                 name(record), text(a), text(b), (a - b).norm(), why),
-                                     {entry.line, text(a), to_line(entry.record)},
-                                     {other.line(), text(b), to_line(record)}};
-    });
+    differences.add(
+        step, entry.line, line,
+        [&] {
+          return Differences::Difference{fmt::format("{} at {} in reference, at {} in other, {:.3g} apart{}",
+                                                     name(record), text(a), text(b), (a - b).norm(), why),
+                                         {entry.line, text(a), to_line(entry.record)},
+                                         {line, text(b), to_line(record)}};
+        },
+        by_rounding);
   };
   const auto called = [](const auto& record) { return name(record); };
   read(other, [&](const auto& record) {
     using R = std::decay_t<decltype(record)>;
+    note(vertices, record);
+    const std::int64_t line = other.line();
     if constexpr (std::is_same_v<R, Settings>) {
       settings = record;
-      settings_line = other.line();
+      settings_line = line;
     } else if constexpr (std::is_same_v<R, Lattice>) {
       if (lattice_.cells == record.cells && tolerance_.same(lattice_.box[0], record.box[0]) &&
           tolerance_.same(lattice_.box[1], record.box[1]))
@@ -204,23 +192,34 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
             {other.line(), says(record), to_line(record)}};
       });
     } else if constexpr (std::is_same_v<R, Indicators>) {
-      if (const auto* entry = indicators_.match(other, {record.j, record.k}, record, differences, called))
-        verify::compare(entry->record, entry->line, record, other.line(), differences);
+      if (const auto* entry = indicators_.match(line, {record.j, record.k}, record, differences, called))
+        indicators.push_back({entry, record, line});
     } else if constexpr (std::is_same_v<R, Moved>) {
-      if (const auto* entry = moved_.match(other, record.vertex, record, differences, called))
-        compare_points(Step::moved, *entry, record, entry->record.point, record.point, "");
+      moved.push_back({record, line});
     } else if constexpr (std::is_same_v<R, Cut>) {
-      if (const auto* entry = cuts_.match(other, key(record), record, differences, called))
-        compare_points(Step::cut, *entry, record, entry->record.point, record.point,
+      if (const auto* entry = cuts_.match(line, key(record), record, differences, called))
+        compare_points(Step::cut, *entry, record, line, entry->record.point, record.point,
                        " (Table 3, row 3b: of several, the one closest to the exterior end)");
     } else if constexpr (std::is_same_v<R, Rows>) {
-      if (const auto* entry = rows_.match(other, record.cell, record, differences, called))
-        verify::compare(entry->record, entry->line, record, other.line(), differences);
+      if (const auto* entry = rows_.match(line, record.cell, record, differences, called))
+        verify::compare(entry->record, entry->line, record, line, differences);
     } else if constexpr (std::is_same_v<R, Mapped>) {
-      if (const auto* entry = mapped_.match(other, {from_->find(record.from)}, record, differences, called))
-        compare_points(Step::mapped, *entry, record, entry->record.to, record.to, "");
+      if (const auto* entry = mapped_.match(line, {from_->find(record.from)}, record, differences, called))
+        compare_points(Step::mapped, *entry, record, line, entry->record.to, record.to, "");
     }
   });
+
+  const bool exact = settings_.on_surface == 0 || settings_.literal;
+  compare_indicators(indicators, vertices, exact, differences);
+  for (const auto& [record, line] : moved) {
+    const bool doubtful = (exact || record.mended) && vertices_.doubtful(record.vertex);
+    if (const auto* entry = moved_.match(line, record.vertex, record, differences, called, doubtful)) {
+      const Point &a = entry->record.point, &b = record.point, from = position(record.vertex);
+      const bool as_close = std::abs((a - from).norm() - (b - from).norm()) <= tolerance_.length;
+      compare_points(Step::moved, *entry, record, line, a, b, as_close ? ", both as close to it" : "",
+                     as_close);
+    }
+  }
 
   if (const Differing all = differing(settings_, settings, tolerance_); !all.what.empty())
     differences.add(Step::settings, settings_line_, settings_line, [&] {
@@ -232,17 +231,76 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
                                      side(settings_line, all.other, settings)};
     });
 
-  const auto rest = [&](const auto& kind, const char* of) {
+  const auto exactly = [](const auto&) { return false; };
+  const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {
     if (kind.left_out())
       notes.push_back(
           fmt::format("{} are not compared: {} has none", of, kind.empty() ? "reference" : "other"));
-    kind.rest(differences, called);
+    kind.rest(differences, called, by_rounding);
   };
-  rest(indicators_, "indicators");
-  rest(moved_, "moved vertices");
-  rest(cuts_, "cuts");
-  rest(rows_, "rows of Table 2");
-  rest(mapped_, "mapped points");
+  rest(indicators_, "indicators", exactly);
+  rest(moved_, "moved vertices",
+       [&](const Moved& record) { return (exact || record.mended) && vertices.doubtful(record.vertex); });
+  rest(cuts_, "cuts", exactly);
+  rest(rows_, "rows of Table 2", exactly);
+  rest(mapped_, "mapped points", exactly);
+}
+
+double FirstSteps::magnitude() const {
+  return std::max(lattice_.box[0].lpNorm<Eigen::Infinity>(), lattice_.box[1].lpNorm<Eigen::Infinity>());
+}
+
+Point FirstSteps::position(const LatticeVertex& vertex) const {
+  Point point;
+  for (int i = 0; i < 3; ++i) {
+    const double t = static_cast<double>(vertex[i]) / lattice_.cells[i];
+    point[i] = (1 - t) * lattice_.box[0][i] + t * lattice_.box[1][i];
+  }
+  return point;
+}
+
+// Cuts next to a vertex tell that the surface passes it within rounding.
+void FirstSteps::note(Vertices& vertices, const Record& record) const {
+  if (const auto* moved = std::get_if<Moved>(&record); moved && moved->mended)
+    vertices.mended.insert(moved->vertex);
+  if (const auto* cut = std::get_if<Cut>(&record))
+    for (const LatticeVertex& end : cut->edge)
+      if (tolerance_.same(position(end), cut->point)) vertices.near.insert(end);
+}
+
+// The vertices whose indicators differ. Mending starts the characterisation anew, so what it did to a vertex
+// is not compared here but where vertices are moved. `exact_only`: no tolerance takes lattice vertices within
+// rounding of the surface there, so that the last bit of the lattice decides which are on it.
+void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
+                                    Differences& differences) const {
+  for (const Waiting& row : rows) {
+    const Indicators &a = row.reference->record, &b = row.other;
+    for (const auto& [step, in_a, in_b, when] :
+         {std::tuple{Step::indicators, &a.initial, &b.initial, "initially"},
+          std::tuple{Step::table3, &a.after, &b.after, "after Table 3"}}) {
+      for (std::size_t i = 0; i < std::max(in_a->size(), in_b->size()); ++i) {
+        const char reference = i < in_a->size() ? (*in_a)[i] : ' ', its = i < in_b->size() ? (*in_b)[i] : ' ';
+        if (reference == its) continue;
+        const LatticeVertex vertex{static_cast<int>(i), a.j, a.k};
+        if (vertices_.mended.contains(vertex) || other.mended.contains(vertex)) continue;
+        const bool by_rounding = exact_only && ((reference == '0' && other.near.contains(vertex)) ||
+                                                (its == '0' && vertices_.near.contains(vertex)));
+        differences.add(
+            step, row.reference->line, row.line,
+            [&, when = when] {
+              const auto says = [](char indicator) {
+                return indicator == ' ' ? std::string("not there") : word(indicator);
+              };
+              return Differences::Difference{
+                  fmt::format("lattice vertex {} is {} {} in reference, {} in other", text(vertex), when,
+                              says(reference), says(its)),
+                  {row.reference->line, says(reference), to_line(a)},
+                  {row.line, says(its), to_line(b)}};
+            },
+            by_rounding);
+      }
+    }
+  }
 }
 
 std::string FirstSteps::lattice_tetrahedron(const Point& point) const {

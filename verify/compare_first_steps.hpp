@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <set>
+#include <vector>
 
 #include "verify/keyed_records.hpp"
 
@@ -40,16 +42,40 @@ class FirstSteps {
 
   const Tolerance& tolerance() const { return tolerance_; }
   const trace::Settings& settings() const { return settings_; }
+  double diagonal() const { return (lattice_.box[1] - lattice_.box[0]).stableNorm(); }  ///< of the lattice
+  /// The largest coordinate of the lattice's box.
+  double magnitude() const;
 
  private:
+  using IndicatorRecords = KeyedRecords<std::array<int, 2>, trace::Indicators>;
+  /// The other's indicators, which wait until all is known that explains them.
+  struct Waiting {
+    const IndicatorRecords::Entry* reference;
+    trace::Indicators other;
+    std::int64_t line;
+  };
+  /// Lattice vertices of one trace.
+  struct Vertices {
+    std::set<trace::LatticeVertex> mended;
+    std::set<trace::LatticeVertex> near;  ///< a cut of one of their edges is where they are
+
+    /// Whether rounding decides that it is on the surface, or was taken there.
+    bool doubtful(const trace::LatticeVertex& v) const { return near.contains(v) || mended.contains(v); }
+  };
+
   template <class Take>
   void read(TraceStream& stream, const Take& take);
+  void note(Vertices& vertices, const trace::Record& record) const;
+  void compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
+                          Differences& differences) const;
+  trace::Point position(const trace::LatticeVertex& vertex) const;  ///< eq. (2.1)
 
   Tolerance tolerance_;
   trace::Settings settings_;
   trace::Lattice lattice_;
   std::int64_t settings_line_ = 0, lattice_line_ = 0;
-  KeyedRecords<std::array<int, 2>, trace::Indicators> indicators_{Step::indicators, true};
+  Vertices vertices_;
+  IndicatorRecords indicators_{Step::indicators, true};
   KeyedRecords<trace::LatticeVertex, trace::Moved> moved_{Step::moved};
   KeyedRecords<std::array<int, 6>, trace::Cut> cuts_{Step::cut};
   KeyedRecords<std::array<int, 3>, trace::Rows> rows_{Step::table2, true};

@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare_insertions.hpp"
 
-#include <numbers>
+#include "verify/compare_splits.hpp"
+#include "verify/rounding.hpp"
 
 namespace tetproof::verify {
 namespace {
 
 using namespace trace;
-
-constexpr double tie = 1e-12;  // relative difference of E'avg up to which two choices are equally good
-
-// A flip by its points' numbers, however they are ordered.
-using FlipKey = std::array<int, 6>;
-
-struct Flipped {
-  Flip flip;
-  FlipKey key;
-  std::int64_t line;
-};
-
-// An insertion and the flips that follow it.
-struct Split {
-  Insertion insertion;
-  std::int64_t line;
-  TetKey tet;
-  std::vector<int> replaced;  // numbers of points, ascending
-  std::vector<Flipped> flips;
-
-  double e_avg() const { return flips.empty() ? insertion.e_avg : flips.back().flip.e_avg; }
-};
 
 // `more`: what else is known of it.
 Says side(const Split& split, const std::string& more = "") {
@@ -53,52 +32,63 @@ std::string says(const Flip& flip) {
 
 class Insertions {
  public:
-  Insertions(TraceStream& other, TraceStream& reference, const Settings& settings, const Tolerance& tolerance,
-             FirstGrid& first, TraceComparison& result)
+  Insertions(TraceStream& other, TraceStream& reference, const FirstSteps& steps, FirstGrid& first,
+             TraceComparison& result)
       : other_(other),
         reference_(reference),
-        settings_(settings),
-        tolerance_(tolerance),
+        settings_(steps.settings()),
+        tolerance_(steps.tolerance()),
         points_(first.points()),
+        sizes_{.length = steps.magnitude()},
         result_(result) {
-    if (first.summary()) scale_ = first.summary()->mean_volume;
+    if (first.summary()) {
+      sizes_.volume = scale_ = first.summary()->mean_volume;
+      before_ = first.summary()->e_avg;
+    }
   }
 
   void run() {
     for (std::int64_t n = 1;; ++n) {
       // The reference first: it says which points there are.
-      std::optional<Split> a = next(reference_, n), b = next(other_, n);
+      const std::optional<Split> a = next(Side::reference, n, nullptr),
+                                 b = next(Side::other, n, a ? &*a : nullptr);
       if (!a && !b) break;
       if (!a || !b) return a ? one_ended(n, &*a, nullptr) : one_ended(n, nullptr, &*b);
-      const double before = drift_;
+      if (!step(n, *a, *b)) return;
       drift_ = a->e_avg() - b->e_avg();
       if (std::abs(drift_) > tolerance_.relative * std::abs(a->e_avg())) drift_ = 0;
-      if (!step(n, std::move(*a), std::move(*b), before)) return;
+      before_ = a->e_avg();
     }
     if (!waiting_.empty()) return parted_at_a_tie("both traces end");
     ends();
   }
 
  private:
-  // Insertion n with its flips; nothing at the end of the insertions.
-  std::optional<Split> next(TraceStream& stream, std::int64_t n) {
+  // Insertion n with its flips; nothing at the end of the insertions. `same_n`: the other trace's.
+  std::optional<Split> next(Side side, std::int64_t n, const Split* same_n) {
+    TraceStream& stream = side == Side::reference ? reference_ : other_;
     const auto* insertion = stream.next_is<Insertion>();
     if (!insertion) {
       if (stream.next() && !stream.next_is<End>()) stream.fail("insertion or end");
       return std::nullopt;
     }
     if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
-    Split split{*insertion, stream.line(), {}, {}, {}};
+    Split split{.insertion = *insertion, .line = stream.line()};
     std::array<int, 4> corners;
-    for (int i = 0; i < 4; ++i) corners[i] = points_.find_or_add(insertion->tet[i]);
-    points_.find_or_add(insertion->point);
+    for (int i = 0; i < 4; ++i) corners[i] = points_.number(side, insertion->tet[i]);
     split.tet = sorted(corners);
     for (const int i : insertion->replaced) split.replaced.push_back(corners[i]);
     std::sort(split.replaced.begin(), split.replaced.end());
+    const auto partner = waiting_.find(split.tet);
+    if (partner != waiting_.end() && partner->second.first != side)
+      split.point = points_.insert(side, insertion->point, partner->second.second.point);
+    else
+      split.point =
+          points_.insert(side, insertion->point, same_n && same_n->tet == split.tet ? same_n->point : -1);
     for (stream.take(); const auto* flip = stream.next_is<Flip>(); stream.take()) {
       FlipKey key{};
-      for (int i = 0; i < 3; ++i) key[i] = points_.find_or_add(flip->face[i]);
-      for (int i = 0; i < 2; ++i) key[3 + i] = points_.find_or_add(flip->edge[i]);
+      for (int i = 0; i < 3; ++i) key[i] = points_.number(side, flip->face[i]);
+      for (int i = 0; i < 2; ++i) key[3 + i] = points_.number(side, flip->edge[i]);
       key[5] = flip->two_to_three;
       std::sort(key.begin(), key.begin() + 3);
       std::sort(key.begin() + 3, key.begin() + 5);
@@ -107,15 +97,18 @@ class Insertions {
     return split;
   }
 
-  // False if the comparison ends here. `drift`: by how much the E_avg's differed before, which says nothing
-  // about the choice.
-  bool step(std::int64_t n, Split a, Split b, double drift) {
+  // An average error far below the mean volume is known to the rounding of volumes only.
+  double rounding(double e_avg) const { return tie * std::abs(e_avg) + 1e-14 * sizes_.volume; }
+
+  // False if the comparison ends here.
+  bool step(std::int64_t n, const Split& a, const Split& b) {
+    // By how much the E_avg's differed before says nothing about the choice.
     const double difference = a.insertion.e_avg - b.insertion.e_avg;
-    const double size = tie * std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg));
-    const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift) <= size;
+    const double size = rounding(std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg)));
+    const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift_) <= size;
     if (waiting_.empty()) {
       if (a.tet == b.tet) return same_tet(n, a, b, false);
-      if (!equally_good) return diverge_in_choice(n, a, b);
+      if (!equally_good) return parted_in_choice(n, a, b);
       tie_ = {n, a, b};
       group_ = 0;
     } else if (!equally_good) {
@@ -126,27 +119,26 @@ class Insertions {
     }
     // Within a tie the same splits may come in another order: each waits for its partner.
     ++group_;
-    if (!meet(n, std::move(a), true) || !meet(n, std::move(b), false)) return false;
+    if (!meet(n, a, Side::reference) || !meet(n, b, Side::other)) return false;
     if (waiting_.empty()) result_.reordered += group_;
     return true;
   }
 
-  bool meet(std::int64_t n, Split split, bool of_reference) {
+  bool meet(std::int64_t n, const Split& split, Side side) {
     const auto found = waiting_.find(split.tet);
     if (found == waiting_.end()) {
-      const TetKey tet = split.tet;
-      waiting_.emplace(tet, std::pair{of_reference, std::move(split)});
+      waiting_.emplace(split.tet, std::pair{side, split});
       return true;
     }
-    if (found->second.first == of_reference) {  // no trace splits a tetrahedron twice
-      const TraceStream& stream = of_reference ? reference_ : other_;
+    if (found->second.first == side) {  // no trace splits a tetrahedron twice
+      const TraceStream& stream = side == Side::reference ? reference_ : other_;
       throw InputError(
           fmt::format("{}:{}: expected a tetrahedron that is there, found the one split in line {}",
                       stream.path(), split.line, found->second.second.line));
     }
     const Split earlier = std::move(found->second.second);
     waiting_.erase(found);
-    return of_reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
+    return side == Side::reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
   }
 
   // Both split the same tetrahedron: also in the same way?
@@ -158,11 +150,15 @@ class Insertions {
                      fmt::format("{}, reference by row {} of Table 4, other by row {}", both, a.insertion.row,
                                  b.insertion.row),
                      side(a), side(b));
-    if (a.replaced != b.replaced)
-      return diverge(n, Step::table4,
-                     fmt::format("{} by row {} of Table 4, but the new point lies in different simplices",
-                                 both, a.insertion.row),
-                     {a.line, place(a), to_line(a.insertion)}, {b.line, place(b), to_line(b.insertion)});
+    if (a.replaced != b.replaced) {
+      const bool as_large = equally_large(a, b, sizes_);
+      diverge(n, Step::table4,
+              fmt::format("{} by row {} of Table 4, but the new point lies in different simplices{}", both,
+                          a.insertion.row, as_large ? ": a tie, they are equally large" : ""),
+              {a.line, place(a), to_line(a.insertion)}, {b.line, place(b), to_line(b.insertion)});
+      if (as_large) result_.verdict = TraceComparison::Verdict::tie;
+      return false;
+    }
     if (!tolerance_.same(a.insertion.point, b.insertion.point))
       return diverge(n, Step::point,
                      fmt::format("{} by row {}, but the new points are {:.3g} apart", both, a.insertion.row,
@@ -225,23 +221,10 @@ class Insertions {
                                  short_name(*one))
                    : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
                                  short_name(*two));
-    diverge(n, Step::flips, what, side(one, a.line), side(two, b.line));
-    if (one && two &&
-        std::abs(gain(one->flip) - gain(two->flip)) <=
-            tie * std::max(std::abs(gain(one->flip)), std::abs(gain(two->flip)))) {
-      result_.verdict = TraceComparison::Verdict::tie;
-      result_.what += fmt::format("; a tie: both raise the smallest quality by {:.6g}",
-                                  one->flip.quality_after - one->flip.quality_before);
-    }
+    const std::optional<std::string> reason = flips_tie(a, b, i, settings_, sizes_);
+    diverge(n, Step::flips, reason ? what + "; " + *reason : what, side(one, a.line), side(two, b.line));
+    if (reason) result_.verdict = TraceComparison::Verdict::tie;
     return false;
-  }
-
-  // By which the best flip is chosen (reading D22): of solid angles in tan(Omega/2).
-  double gain(const Flip& flip) const {
-    const auto measure = [&](double quality) {
-      return settings_.improve == "aspect-ratio" ? quality : std::tan(2 * std::numbers::pi * quality);
-    };
-    return measure(flip.quality_after) - measure(flip.quality_before);
   }
 
   static std::string choice(std::int64_t n, const Split& a, const Split& b) {
@@ -253,15 +236,22 @@ class Insertions {
   }
 
   // Where the other one splits that tetrahedron too, its row of Table 4 there may tell what is wrong here.
-  bool diverge_in_choice(std::int64_t n, const Split& a, const Split& b) {
-    const auto later = [&](TraceStream& stream, const Split& wanted, const char* who) {
-      for (std::int64_t i = n + 1; const std::optional<Split> split = next(stream, i); ++i)
+  bool parted_in_choice(std::int64_t n, const Split& a, const Split& b) {
+    // The one with the larger E'avg has refused the other's split.
+    const bool by_rounding = refused_by_rounding(a.insertion.e_avg < b.insertion.e_avg ? a : b, sizes_);
+    const auto later = [&](Side side, const Split& wanted, const char* who) {
+      for (std::int64_t i = n + 1; const std::optional<Split> split = next(side, i, nullptr); ++i)
         if (split->tet == wanted.tet)
           return fmt::format(" ({} splits it as insertion {}, by row {})", who, i, split->insertion.row);
       return fmt::format(" ({} never splits it)", who);
     };
-    return diverge(n, Step::choice, choice(n, a, b), side(a, later(other_, a, "other")),
-                   side(b, later(reference_, b, "reference")));
+    std::string what = choice(n, a, b);
+    if (by_rounding)
+      what += "; decided by rounding: the better split makes tetrahedra thinner than it (reading D18)";
+    diverge(n, Step::choice, what, side(a, later(Side::other, a, "other")),
+            side(b, later(Side::reference, b, "reference")));
+    if (by_rounding) result_.verdict = TraceComparison::Verdict::tie;
+    return false;
   }
 
   bool diverge(std::int64_t n, Step step, const std::string& what, const Says& reference, const Says& other) {
@@ -292,6 +282,15 @@ class Insertions {
                         a ? "other" : "reference", over.says, a ? "reference" : "other",
                         at(split.insertion.tet), split.insertion.row),
             a ? side(split) : over, a ? over : side(split));
+    if (!end || end->stopped != "no-gain") return;
+    const char* reason = before_ - split.insertion.e_avg <= rounding(before_)
+                             ? "a tie: E_avg falls by rounding"
+                         : refused_by_rounding(split, sizes_)
+                             ? "decided by rounding: the split makes tetrahedra thinner than it (reading D18)"
+                             : nullptr;
+    if (!reason) return;
+    result_.verdict = TraceComparison::Verdict::tie;
+    result_.what += fmt::format("; {}", reason);
   }
 
   // Both have no more insertions.
@@ -315,23 +314,26 @@ class Insertions {
   TraceStream &other_, &reference_;
   const Settings& settings_;
   const Tolerance& tolerance_;
-  PointIndex& points_;
+  TracePoints& points_;
+  Magnitudes sizes_;
   TraceComparison& result_;
-  double scale_ = 0, drift_ = 0;
+  double scale_ = 0;
+  double drift_ = 0;   // the difference of the E_avg's before the present insertion
+  double before_ = 0;  // the reference's E_avg there
 
   struct Tie {
     std::int64_t n;
     Split a, b;
   } tie_{};  // the first insertion of the present group
   std::int64_t group_ = 0;
-  std::unordered_map<TetKey, std::pair<bool, Split>, ArrayHash> waiting_;  // true: of the reference
+  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;  // whose
 };
 
 }  // namespace
 
-void compare_insertions(TraceStream& other, TraceStream& reference, const Settings& settings,
-                        const Tolerance& tolerance, FirstGrid& first, TraceComparison& result) {
-  Insertions(other, reference, settings, tolerance, first, result).run();
+void compare_insertions(TraceStream& other, TraceStream& reference, const FirstSteps& steps, FirstGrid& first,
+                        TraceComparison& result) {
+  Insertions(other, reference, steps, first, result).run();
 }
 
 }  // namespace tetproof::verify

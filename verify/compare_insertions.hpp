@@ -6,9 +6,9 @@
 
 namespace tetproof::verify {
 
-/// Reads both traces to where they part, or to their ends, and tells `result`. `first`: the reference's first
-/// grid, whose points get company.
-void compare_insertions(TraceStream& other, TraceStream& reference, const trace::Settings& settings,
-                        const Tolerance& tolerance, FirstGrid& first, TraceComparison& result);
+/// Reads both traces to where they part, or to their ends, and tells `result`. `steps` and `first`: the
+/// reference's; the first grid's points get company.
+void compare_insertions(TraceStream& other, TraceStream& reference, const FirstSteps& steps, FirstGrid& first,
+                        TraceComparison& result);
 
 }  // namespace tetproof::verify

@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   const program::Description description{
       "Compares two traces of the paper's method (as tetproof-mesh --trace writes them) and names the first "
       "decision where "
-      "they differ, or two grids up to numbering. Exit code 0: equal, or parted where two choices tie, 1: "
+      "they differ, or two grids up to numbering. Exit code 0: equal, or parted where two choices tie or "
+      "rounding decides, 1: "
       "different, 2: bad "
       "input, 3: own failure.",
       examples,

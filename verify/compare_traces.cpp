@@ -11,8 +11,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Verdict = TraceComparison::Verdict;
 
-constexpr const char* after_a_tie =
-    "from here on the two can't be compared step by step; tetproof-mesh --follow checks the rest";
+// What a tie leaves to do.
+std::string after(const TraceComparison& tie) {
+  return tie.insertion > 0
+             ? "from here on the two can't be compared step by step; tetproof-mesh --follow checks the rest"
+             : "what follows from it can't be compared; on a lattice without such places (another "
+               "--box-scale, "
+               "--cells or --on-surface) it can";
+}
 
 Json json(const TraceSide& side) {
   return {{"file", side.file},
@@ -42,7 +48,7 @@ TraceComparison compare_traces(const std::string& other_path, const std::string&
   differences.tell(result);
   if (!differences.none()) return result;
 
-  compare_insertions(other, reference, steps.settings(), steps.tolerance(), first, result);
+  compare_insertions(other, reference, steps, first, result);
   for (TraceStream* stream : {&reference, &other})
     if (result.verdict == Verdict::equal) {
       if (stream->next_is<trace::End>()) stream->take();
@@ -68,7 +74,7 @@ std::string comparison_text(const TraceComparison& result) {
       text += fmt::format("  {} ({}{}): {}\n", name, side->file,
                           side->line ? fmt::format(":{}", side->line) : "", side->says);
     if (result.insertion > 0) text += fmt::format("  found the same: {}\n", so_far);
-    if (result.verdict == Verdict::tie) text += fmt::format("  {}\n", after_a_tie);
+    if (result.verdict == Verdict::tie) text += fmt::format("  {}\n", after(result));
   }
   for (const std::string& note : result.notes) text += "  note: " + note + "\n";
   return text;
@@ -78,7 +84,7 @@ std::string comparison_json(const TraceComparison& result) {
   const bool equal = result.verdict == Verdict::equal;
   const auto unless_equal = [&](const auto& value) { return equal ? Json() : Json(value); };
   std::vector<std::string> notes = result.notes;
-  if (result.verdict == Verdict::tie) notes.push_back(after_a_tie);
+  if (result.verdict == Verdict::tie) notes.push_back(after(result));
   const Json all{{"compared", "traces"},
                  {"verdict", equal                            ? "equal"
                              : result.verdict == Verdict::tie ? "tie"

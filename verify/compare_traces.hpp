@@ -20,7 +20,7 @@ struct TraceSide {
 struct TraceComparison {
   enum class Verdict {
     equal,
-    tie,      ///< they part where two choices of eq. (3.5) or of section 4 are equally good
+    tie,      ///< they part where two choices are equally good, or where rounding decides
     diverges  ///< one of them is not the paper's method, as the reference reads it
   };
   Verdict verdict = Verdict::equal;

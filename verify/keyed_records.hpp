@@ -31,47 +31,54 @@ class KeyedRecords {
                                    found->second.line));
   }
 
-  /// The reference's record for the other's next one, which `name(record)` calls; nullptr, and a difference,
-  /// if there is none or an earlier one took it.
+  /// The reference's record for the other's in this line, which `name(record)` calls; nullptr, and a
+  /// difference, if there is none (perhaps `by_rounding`) or an earlier one took it.
   template <class Name>
-  const Entry* match(const TraceStream& other, const Key& key, const R& record, Differences& differences,
-                     const Name& name) {
+  const Entry* match(std::int64_t line, const Key& key, const R& record, Differences& differences,
+                     const Name& name, bool by_rounding = false) {
     other_has_any_ = true;
     if (left_out()) return nullptr;
     const auto found = entries_.find(key);
     if (found == entries_.end()) {
-      differences.add(step_, 0, other.line(), [&] {
-        return Differences::Difference{fmt::format("{}: only in other", name(record)),
-                                       {0, "nothing"},
-                                       {other.line(), "has it", trace::to_line(record)}};
-      });
+      differences.add(
+          step_, 0, line,
+          [&] {
+            return Differences::Difference{fmt::format("{}: only in other", name(record)),
+                                           {0, "nothing"},
+                                           {line, "has it", trace::to_line(record)}};
+          },
+          by_rounding);
       return nullptr;
     }
     Entry& entry = found->second;
     if (entry.partner) {
-      differences.add(step_, entry.line, other.line(), [&] {
+      differences.add(step_, entry.line, line, [&] {
         return Differences::Difference{
             fmt::format("{}: twice in other", name(record)),
             {entry.line, "once", trace::to_line(entry.record)},
-            {other.line(), fmt::format("again, after line {}", entry.partner), trace::to_line(record)}};
+            {line, fmt::format("again, after line {}", entry.partner), trace::to_line(record)}};
       });
       return nullptr;
     }
-    entry.partner = other.line();
+    entry.partner = line;
     return &entry;
   }
 
-  /// Adds a difference for each record that found no partner; `name(record)` calls it.
-  template <class Name>
-  void rest(Differences& differences, const Name& name) const {
+  /// Adds a difference for each record that found no partner; `name(record)` calls it, and
+  /// `by_rounding(record)` says whether rounding decides that there is one.
+  template <class Name, class ByRounding>
+  void rest(Differences& differences, const Name& name, const ByRounding& by_rounding) const {
     if (left_out()) return;
     for (const auto& [key, entry] : entries_)
       if (!entry.partner)
-        differences.add(step_, entry.line, 0, [&] {
-          return Differences::Difference{fmt::format("{}: only in reference", name(entry.record)),
-                                         {entry.line, "has it", trace::to_line(entry.record)},
-                                         {0, "nothing"}};
-        });
+        differences.add(
+            step_, entry.line, 0,
+            [&] {
+              return Differences::Difference{fmt::format("{}: only in reference", name(entry.record)),
+                                             {entry.line, "has it", trace::to_line(entry.record)},
+                                             {0, "nothing"}};
+            },
+            by_rounding(entry.record));
   }
 
   /// The reference's record; nullptr for none.

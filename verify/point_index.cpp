@@ -27,24 +27,30 @@ PointIndex::Cell PointIndex::cell(const Eigen::Vector3d& point) const {
 
 int PointIndex::append(const Eigen::Vector3d& point) {
   Last& last = cells_[cell(point)];
-  if (++last.count > crowd)
-    throw InputError(
-        fmt::format("more than {} points lie within {} times the tolerance {:.3g} of ({:.9g}, {:.9g}, "
-                    "{:.9g}): a smaller --tolerance is needed",
-                    crowd, cell_in_tolerances, tolerance_, point.x(), point.y(), point.z()));
+  ++last.count;
   before_.push_back(last.point);
   points_.push_back(point);
   return last.point = static_cast<int>(points_.size()) - 1;
 }
 
+void PointIndex::check_crowd(const Last& last, const Eigen::Vector3d& point) const {
+  if (last.count > crowd)
+    throw InputError(
+        fmt::format("more than {} points lie within {} times the tolerance {:.3g} of ({:.9g}, {:.9g}, "
+                    "{:.9g}): a smaller --tolerance is needed",
+                    crowd, cell_in_tolerances, tolerance_, point.x(), point.y(), point.z()));
+}
+
 int PointIndex::add(const Eigen::Vector3d& point) {
-  if (const auto found = cells_.find(cell(point)); found != cells_.end())
+  if (const auto found = cells_.find(cell(point)); found != cells_.end()) {
+    check_crowd(found->second, point);
     for (int i = found->second.point; i >= 0; i = before_[i])
       if (points_[i] == point) return i;
+  }
   return append(point);
 }
 
-int PointIndex::find(const Eigen::Vector3d& point) const {
+int PointIndex::find(const Eigen::Vector3d& point, const std::vector<bool>& taken) const {
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(tolerance_);
   const Cell low = cell(point - reach), high = cell(point + reach);
   int best = -1;
@@ -59,18 +65,15 @@ int PointIndex::find(const Eigen::Vector3d& point) const {
     if (again) continue;
     const auto found = cells_.find(cell);
     if (found == cells_.end()) continue;
+    check_crowd(found->second, point);
     for (int i = found->second.point; i >= 0; i = before_[i]) {
+      if (static_cast<std::size_t>(i) < taken.size() && taken[i]) continue;
       const double distance = (points_[i] - point).norm();
       if (distance <= tolerance_ && (distance < closest || (distance == closest && i < best)))
         best = i, closest = distance;
     }
   }
   return best;
-}
-
-int PointIndex::find_or_add(const Eigen::Vector3d& point) {
-  const int found = find(point);
-  return found >= 0 ? found : add(point);
 }
 
 }  // namespace tetproof::verify

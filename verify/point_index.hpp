@@ -25,19 +25,21 @@ struct ArrayHash {
 };
 
 /// Finds the closest of the points it holds, if that is within the tolerance. Points lie in a hashed grid of
-/// cells some tolerances wide, so that a look-up takes constant time; throws InputError when hundreds of
-/// points crowd in one cell, where matching within the tolerance would mean nothing.
+/// cells some tolerances wide, so that a look-up takes constant time; throws InputError when it meets
+/// hundreds of points in one cell, where matching within the tolerance would mean nothing.
 class PointIndex {
  public:
   explicit PointIndex(double tolerance);  ///< [length]; 0: equal coordinates only
 
   /// The number of the point with just these coordinates, which is added if it is new. -0 is 0.
   int add(const Eigen::Vector3d& point);
+  /// The number of a new point, even where there is one already.
+  int append(const Eigen::Vector3d& point);
   /// The closest point within the tolerance, of several equally close the one added first; -1 for none. Never
   /// finds a point that is not finite.
-  int find(const Eigen::Vector3d& point) const;
-  /// `find`, or `add` where that finds nothing.
-  int find_or_add(const Eigen::Vector3d& point);
+  int find(const Eigen::Vector3d& point) const { return find(point, {}); }
+  /// Likewise, but not those whose numbers are marked in `taken` (beyond its end: unmarked).
+  int find(const Eigen::Vector3d& point, const std::vector<bool>& taken) const;
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
@@ -47,7 +49,7 @@ class PointIndex {
     int point = -1, count = 0;
   };
   Cell cell(const Eigen::Vector3d& point) const;
-  int append(const Eigen::Vector3d& point);
+  void check_crowd(const Last& last, const Eigen::Vector3d& point) const;
 
   double tolerance_, width_;
   std::vector<Eigen::Vector3d> points_;

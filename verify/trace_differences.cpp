@@ -52,8 +52,11 @@ void tell(TraceComparison& result, Step step, std::int64_t count, const Differen
 
 void Differences::tell(TraceComparison& result) const {
   if (found_.empty()) return;
-  const auto& [step, found] = *found_.begin();
-  verify::tell(result, step, found.count, found.difference);
+  const auto& [where, found] = *found_.begin();
+  verify::tell(result, where.first, found.count, found.difference);
+  if (!where.second) return;
+  result.verdict = TraceComparison::Verdict::tie;
+  result.what += "; decided by rounding";
 }
 
 std::string text(const trace::Point& point) {

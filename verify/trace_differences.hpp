@@ -74,7 +74,7 @@ struct Says {
 };
 
 /// Collects differences that are met in any order; keeps of each step how many there are and the first one of
-/// the reference.
+/// the reference. Those that rounding decides count where a step has no others.
 class Differences {
  public:
   struct Difference {
@@ -82,10 +82,12 @@ class Differences {
     Says reference, other;
   };
   /// `make()` gives the difference and is only called when it is the first so far. Lines are 0 where a side
-  /// has no record; what only the other trace has comes after what the reference has.
+  /// has no record; what only the other trace has comes after what the reference has. `by_rounding`: two
+  /// right implementations can differ here.
   template <class Make>
-  void add(Step step, std::int64_t reference_line, std::int64_t other_line, const Make& make) {
-    Found& found = found_[step];
+  void add(Step step, std::int64_t reference_line, std::int64_t other_line, const Make& make,
+           bool by_rounding = false) {
+    Found& found = found_[{step, by_rounding}];
     ++found.count;
     const std::pair order{reference_line == 0, reference_line ? reference_line : other_line};
     if (found.count > 1 && order >= found.order) return;
@@ -102,7 +104,7 @@ class Differences {
     std::pair<bool, std::int64_t> order;
     Difference difference;
   };
-  std::map<Step, Found> found_;
+  std::map<std::pair<Step, bool>, Found> found_;
 };
 
 /// Fills in where `difference` is and what both say.
