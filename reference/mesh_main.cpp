@@ -211,7 +211,8 @@ int main(int argc, char** argv) {
                       {.purpose = "Fills a closed surface, or the space around it, with tetrahedra by the "
                                   "method of Hamann, Chen and Hong (1994).",
                        .examples = examples,
-                       .libraries = {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}},
+                       .libraries = {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING,
+                                     reference::vertex_tree_library()}},
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {
                         auto a = std::make_shared<Arguments>();
                         reference::declare_options(app, *a);

@@ -3,6 +3,8 @@
 
 #include <nanoflann.hpp>
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -84,6 +86,11 @@ Index VertexTree::nearest(const Eigen::Vector3d& point, double smallest_distance
   tree_->index.findNeighbors(first, point.data(), nanoflann::SearchParams());
   if (first.vertex < 0) throw std::logic_error("no surface vertex as close as was promised");
   return first.vertex;
+}
+
+std::string vertex_tree_library() {
+  return fmt::format("nanoflann {:x}.{:x}.{:x}", NANOFLANN_VERSION >> 8, NANOFLANN_VERSION >> 4 & 0xF,
+                     NANOFLANN_VERSION & 0xF);
 }
 
 }  // namespace tetproof::reference

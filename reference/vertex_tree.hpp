@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "io/tet_mesh.hpp"
@@ -31,5 +32,8 @@ class VertexTree {
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };
+
+/// "nanoflann" and its version.
+std::string vertex_tree_library();
 
 }  // namespace tetproof::reference

@@ -9,7 +9,7 @@ function(expect what)   # one of the patterns matches a file
   message(SEND_ERROR "${what} is not installed: nothing at ${ARGN} under ${PREFIX}")
 endfunction()
 
-foreach(program tetproof-mesh tetproof-verify tetproof-convert)
+foreach(program tetproof-mesh tetproof-verify tetproof-compare tetproof-convert)
   expect("the program ${program}" bin/${program})
 endforeach()
 foreach(folder io reference verify corpus)
