@@ -55,10 +55,10 @@ double slack(const Flip& flip, const Settings& settings) {
          std::max({healthy(flip, settings), std::abs(flip.quality_before), std::abs(flip.quality_after)});
 }
 
-// Whether one of the flip's new tetrahedra is so thin that rounding decides if the hull is convex; its
-// quality must say so too.
+// Whether one of the flip's new tetrahedra is so thin that rounding decides if the hull is convex. Its solid
+// angle must not say otherwise; the D/A of a needle may have any size.
 bool decided_by_rounding(const Flip& flip, const Settings& settings, const Magnitudes& sizes) {
-  if (flip.quality_after > (by_solid_angle(settings) ? 1e-6 : 1e-2) * healthy(flip, settings)) return false;
+  if (by_solid_angle(settings) && flip.quality_after > 1e-6) return false;
   for (int i = 0; i < 3; ++i)
     if (flip.two_to_three
             ? thinner_than_rounding({flip.edge[0], flip.edge[1], flip.face[i], flip.face[(i + 1) % 3]},

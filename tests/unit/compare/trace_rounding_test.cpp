@@ -89,7 +89,7 @@ TEST(TraceRounding, AFlipThatGainsByRounding) {
   const auto with_flip = [&](double before, double after) {
     Records other = small_trace();
     other.insert(other.begin() + third_insertion_line + 1,
-                 Flip{true, {a, b, g}, {m, e}, before, after, 0.17});
+                 Flip{true, {a, b, c}, {m, e}, before, after, 0.17});
     return other;
   };
   for (const auto& [before, after] :
@@ -131,6 +131,18 @@ TEST(TraceRounding, AFlipOfASliver) {
   EXPECT_EQ(with_flip(d + Point(0, 0, 1e-15), 0.01, 0.02).verdict,
             Verdict::diverges);  // they are not healthy
   EXPECT_EQ(with_flip(d + Point(0, 0, 1e-3), 1e-11, 3e-11).verdict, Verdict::diverges);
+  // A needle's D/A is large, whatever rounding leaves of it.
+  const auto needle = [&](double height) {
+    Records other = small_trace(), reference = small_trace();
+    for (Records* records : {&other, &reference})
+      at<Settings>(*records, settings_line).improve = "aspect-ratio";
+    const Point x = m, y = m + Point(1e-5, 0, 0), z = m + Point(1e-6, 1e-7, 0),
+                u = m + Point(2e-6, 3e-8, height), w = m + Point(3e-6, 4e-8, -height);
+    other.insert(other.begin() + third_insertion_line + 1, Flip{true, {x, y, z}, {u, w}, 1166, 1221, 0.17});
+    return compare(files, other, reference).verdict;
+  };
+  EXPECT_EQ(needle(1e-15), Verdict::tie);
+  EXPECT_EQ(needle(1e-7), Verdict::diverges);
 }
 
 // The tolerance of section 4 lies within rounding of the smallest solid angle after the split.
@@ -138,7 +150,7 @@ TEST(TraceRounding, WhetherFlipsAreAskedFor) {
   const TestFiles files;
   const auto verdict = [&](double below) {
     Records other = small_trace();
-    other.insert(other.begin() + insertion_line + 1, Flip{true, {a, b, g}, {m, e}, 0.01, 0.02, 0.19});
+    other.insert(other.begin() + insertion_line + 1, Flip{true, {a, b, c}, {m, e}, 0.01, 0.02, 0.19});
     Records reference = small_trace();
     for (Records* records : {&other, &reference}) {
       at<Settings>(*records, settings_line).improve_below = below;
