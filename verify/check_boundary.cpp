@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
-#include "verify/intersections.hpp"
 #include "verify/judgement.hpp"
 #include "verify/mesh_volumes.hpp"
 #include "verify/winding.hpp"
+#include "verify/witness.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -40,9 +40,12 @@ Suspects cavity_suspects(const Judgement& j, const MeshVolumes& volumes, std::ve
     hole_of[s] = static_cast<Index>(holes.size());
     holes.push_back({j.boundary.sheets.sheets[s], volumes.sets.volume(s), {}});
   }
+  std::vector<std::vector<Index>> positions(holes.size());
   for (std::size_t f = 0; f < j.boundary.faces.size() && !holes.empty(); ++f)
-    if (const Index hole = hole_of[j.boundary.sheets.of_triangle[f]]; hole >= 0)
+    if (const Index hole = hole_of[j.boundary.sheets.of_triangle[f]]; hole >= 0) {
       holes[hole].faces.push_back(j.boundary.faces[f]);
+      positions[hole].push_back(static_cast<Index>(f));
+    }
   const std::size_t count = holes.size();
   return {count,
           [&mesh = j.mesh, holes](std::size_t i) {
@@ -64,6 +67,17 @@ Suspects cavity_suspects(const Judgement& j, const MeshVolumes& volumes, std::ve
                                        -hole.volume, one_tet ? ", as a missing tetrahedron leaves it" : "");
             if (finding.faces.size() > most_faces_shown)
               finding.faces.resize(most_faces_shown), finding.tets.resize(most_faces_shown);
+          },
+          0,
+          [&j, positions](std::size_t i) -> std::optional<Cause> {
+            // The slit that a hanging node or crossed diagonals left, all of whose faces lack their partner.
+            std::optional<Cause> first;
+            for (const Index f : positions[i]) {
+              const auto cause = j.conformity.cause_of_face(f);
+              if (!cause) return std::nullopt;
+              if (!first || cause->suspect < first->suspect) first = cause;
+            }
+            return first;
           }};
 }
 
@@ -76,6 +90,19 @@ std::vector<std::vector<FaceId>> faces_at(const Boundary& boundary, const std::v
           at != vertices.end() && *at == v)
         faces[at - vertices.begin()].push_back(boundary.faces[f]);
   return faces;
+}
+
+// The first cause of a face without its partner at each of `vertices` (ascending).
+std::vector<std::optional<Cause>> first_causes(const Judgement& j, const std::vector<Index>& vertices) {
+  std::vector<std::optional<Cause>> causes(vertices.size());
+  for (std::size_t f = 0; f < j.conformity.gap_of_face.size() && !vertices.empty(); ++f) {
+    if (j.conformity.gap_of_face[f] < 0) continue;
+    for (const Index v : j.boundary.triangles[f])
+      if (const auto at = std::lower_bound(vertices.begin(), vertices.end(), v);
+          at != vertices.end() && *at == v && !causes[at - vertices.begin()])
+        causes[at - vertices.begin()] = j.conformity.cause_of_face(static_cast<Index>(f));
+  }
+  return causes;
 }
 
 void check_manifold(Judgement& j) {
@@ -96,6 +123,19 @@ void check_manifold(Judgement& j) {
         },
         [](std::size_t, Finding& finding) {
           finding.what = fmt::format("this edge has {} boundary faces, expected two", finding.faces.size());
+        },
+        0,
+        [&j](std::size_t i) -> std::optional<Cause> {
+          std::optional<Cause> first;
+          std::size_t others = 0;
+          for (const Side s : j.boundary.edges.nonmanifold[i]) {
+            const auto cause = j.conformity.cause_of_face(s / 3);
+            if (!cause)
+              ++others;
+            else if (!first)
+              first = cause;
+          }
+          return others <= 2 ? first : std::nullopt;
         }};
   if (j.wants(Check::boundary_nonmanifold_vertex)) {
     std::vector<std::vector<FaceId>> faces = faces_at(boundary, boundary.pinched);
@@ -112,48 +152,54 @@ void check_manifold(Judgement& j) {
           finding.point = j.mesh.points[finding.vertices[0]];
           finding.what =
               fmt::format("the boundary faces at this vertex form {} fans, expected one", last - first);
-        }};
+        },
+        0, [&j, first = first_causes(j, boundary.pinched)](std::size_t i) { return first[i]; }};
   }
 }
 
-// Returns, for each group, a vertex of its first face that meets another, or -1.
-std::vector<Index> check_self_intersection(Judgement& j, const std::vector<std::uint8_t>& degenerate) {
-  const Boundary& boundary = j.boundary;
-  std::vector<Index> crossed(boundary.groups.sheets.size(), -1);
-  if (!j.wants(Check::boundary_self_intersection)) return crossed;
-  Intersections meetings = self_intersections(j.mesh.points, boundary.boundary_triangles(), degenerate);
-  for (const auto& pair : meetings.pairs)
-    for (const Index f : pair)
-      if (Index& vertex = crossed[boundary.groups.of_triangle[f]]; vertex < 0)
-        vertex = boundary.triangles[f][0];
-  const std::size_t kept = meetings.pairs.size();
+void check_self_intersection(Judgement& j) {
+  if (!j.wants(Check::boundary_self_intersection)) return;
+  const std::size_t kept = j.meetings.pairs.size();
   j[Check::boundary_self_intersection] = {
       kept,
-      [&boundary, pairs = std::move(meetings.pairs)](std::size_t i) {
+      [&j](std::size_t i) {
         Finding finding;
-        for (const Index f : pairs[i]) {
-          finding.tets.push_back(tet_of(boundary.faces[f]));
-          finding.faces.push_back(boundary.triangles[f]);
+        for (const Index f : j.meetings.pairs[i]) {
+          finding.tets.push_back(tet_of(j.boundary.faces[f]));
+          finding.faces.push_back(vertices_of(j.mesh, j.boundary.faces[f]));
         }
         return finding;
       },
-      [](std::size_t, Finding& finding) {
+      [&j](std::size_t, Finding& finding) {
         int common = 0;
         for (const Index v : finding.faces[0])
           common += std::count(finding.faces[1].begin(), finding.faces[1].end(), v);
         finding.what = common == 0   ? "these boundary faces meet and have no common vertex"
                        : common == 1 ? "these boundary faces meet in more than their common vertex"
-                                     : "these boundary faces lie folded on each other at their common edge";
+                       : common == 2 ? "these boundary faces lie folded on each other at their common edge"
+                                     : "these boundary faces have the same three vertices";
+        if (const auto both =
+                common_point(j.mesh.points, j.mesh.tets[finding.tets[0]], j.mesh.tets[finding.tets[1]])) {
+          finding.what += "; the point is inside both tetrahedra";
+          finding.point = both->point, finding.point_exact = both->exact;
+        }
       },
-      static_cast<std::size_t>(meetings.count) - kept};
-  return crossed;
+      static_cast<std::size_t>(j.meetings.count) - kept,
+      [&j](std::size_t i) {
+        return j.conformity.cause_of_pair(j.boundary, j.meetings.pairs[i][0], j.meetings.pairs[i][1]);
+      }};
 }
 
-void check_overlap(Judgement& j, const std::vector<std::uint8_t>& degenerate,
-                   const std::vector<Index>& crossed) {
-  if (!j.wants(Check::overlap)) return;
+// A face with the mesh on its outer side, and how often.
+struct Covered {
+  Index face;
+  int winding;
+};
+
+// One face of each group that has an outer side and that is covered there.
+std::vector<Covered> covered_faces(const Judgement& j, const std::vector<std::uint8_t>& degenerate) {
+  if (!j.wants(Check::overlap)) return {};
   const Boundary& boundary = j.boundary;
-  // One face of each group that has an outer side.
   std::vector<Index> start(boundary.groups.sheets.size(), -1), starts;
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     Index& first = start[boundary.groups.of_triangle[f]];
@@ -161,37 +207,62 @@ void check_overlap(Judgement& j, const std::vector<std::uint8_t>& degenerate,
   }
   std::copy_if(start.begin(), start.end(), std::back_inserter(starts), [](Index f) { return f >= 0; });
   const auto crossings = cast_rays(j.mesh.points, boundary.triangles, starts);
-  struct Covered {
-    Index face, crossed;
-    int winding;
-  };
   std::vector<Covered> covered;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     int winding = 0;
     for (const Crossing& c : crossings[i]) winding += c.sign;
-    if (winding != 0)
-      covered.push_back({starts[i], crossed[boundary.groups.of_triangle[starts[i]]], winding});
+    if (winding != 0) covered.push_back({starts[i], winding});
   }
-  const std::size_t count = covered.size();
+  return covered;
+}
+
+void check_overlap(Judgement& j, const std::vector<Covered>& covered) {
+  if (!j.wants(Check::overlap)) return;
+  const Boundary& boundary = j.boundary;
+  // Of each group a vertex of its first face that meets another: its overlap follows from that.
+  std::vector<Index> crossed(boundary.groups.sheets.size(), -1);
+  if (j.wants(Check::boundary_self_intersection))
+    for (const auto& pair : j.meetings.pairs)
+      for (const Index f : pair)
+        if (Index& vertex = crossed[boundary.groups.of_triangle[f]]; vertex < 0)
+          vertex = boundary.triangles[f][0];
+  const std::size_t folded = j.folded.size();
   j[Check::overlap] = {
-      count,
-      [&boundary, covered](std::size_t i) {
-        const Covered& c = covered[i];
-        Finding finding{.tets = {tet_of(boundary.faces[c.face])}, .faces = {boundary.triangles[c.face]}};
-        if (c.crossed >= 0)
-          finding.vertices.push_back(c.crossed);  // so that it follows from that intersection
+      folded + covered.size(),
+      [&j, covered, crossed, folded](std::size_t i) {
+        if (i < folded)
+          return Finding{.tets = {tet_of(j.folded[i][0]), tet_of(j.folded[i][1])},
+                         .faces = {vertices_of(j.mesh, j.folded[i][0]), vertices_of(j.mesh, j.folded[i][1])}};
+        const Index face = covered[i - folded].face;
+        Finding finding{.tets = {tet_of(j.boundary.faces[face])},
+                        .faces = {vertices_of(j.mesh, j.boundary.faces[face])}};
+        if (const Index vertex = crossed[j.boundary.groups.of_triangle[face]]; vertex >= 0)
+          finding.vertices.push_back(vertex);  // so that it follows from that intersection
         return finding;
       },
-      [&j, covered](std::size_t i, Finding& finding) {
-        const Triangle& face = finding.faces[0];
+      [&j, covered, folded](std::size_t i, Finding& finding) {
         finding.vertices.clear();
-        finding.point = (j.mesh.points[face[0]] + j.mesh.points[face[1]] + j.mesh.points[face[2]]) / 3;
-        finding.point_exact = exact_centroid(j.mesh.points, face);
-        const Index other = tet_outside(j.mesh, j.excluded, face);
-        if (other >= 0) finding.tets.push_back(other);
-        finding.what = fmt::format("{} on the outer side of this boundary face{} (winding number {})",
-                                   other >= 0 ? "the second tetrahedron lies" : "the mesh lies",
-                                   other >= 0 ? " of the first" : "", covered[i].winding);
+        const Triangle face = finding.faces[0];
+        if (i >= folded) {
+          // Right behind the face is its own tetrahedron and, as its outer side is covered too, another one.
+          if (const Index other = tet_inside(j.mesh, j.excluded, face, finding.tets[0]); other >= 0)
+            finding.tets.push_back(other);
+          finding.what =
+              fmt::format("the mesh lies on the outer side of this boundary face (winding number {})",
+                          covered[i - folded].winding);
+        } else {
+          finding.what = "these faces lie in the same place, and the tetrahedra on one side of it";
+        }
+        if (finding.tets.size() < 2) return;
+        const auto both =
+            common_point(j.mesh.points, j.mesh.tets[finding.tets[0]], j.mesh.tets[finding.tets[1]]);
+        if (!both) return;
+        finding.what += "; the point is inside both tetrahedra";
+        finding.point = both->point, finding.point_exact = both->exact;
+      },
+      0,
+      [&j, covered, folded](std::size_t i) {
+        return i < folded ? std::nullopt : j.conformity.cause_of_face(covered[i - folded].face);
       }};
 }
 
@@ -210,14 +281,19 @@ void check_boundary(Judgement& j, const MeshVolumes& volumes, std::size_t right_
       *shape.genus += sheet.genus();
     }
   }
+  const Degenerate degenerate = degenerate_triangles(j.mesh.points, boundary.boundary_triangles());
+  const std::vector<Covered> covered = covered_faces(j, degenerate.triangles);
+  std::vector<Index> covered_positions;
+  for (const Covered& c : covered) covered_positions.push_back(c.face);
+  check_conformity(j, degenerate.triangles, covered_positions);
   if (j.wants(Check::cavity)) {
     std::vector<Index> wrong = holes;
     wrong.resize(holes.size() - std::min(holes.size(), right_cavities));
     j[Check::cavity] = cavity_suspects(j, volumes, std::move(wrong));
   }
   check_manifold(j);
-  const Degenerate degenerate = degenerate_triangles(j.mesh.points, boundary.boundary_triangles());
-  check_overlap(j, degenerate.triangles, check_self_intersection(j, degenerate.triangles));
+  check_self_intersection(j);
+  check_overlap(j, covered);
 }
 
 }  // namespace tetproof::verify

@@ -138,11 +138,10 @@ void check_numbers_and_points(Judgement& j) {
               finding.vertices.push_back(tet[k]);
           finding.what = "names a point more than once";
         }};
+  if (j.wants(Check::duplicate_point) || j.wants(Check::crack)) j.same_place = equal_points(mesh.points);
   if (j.wants(Check::duplicate_point)) {
-    auto groups = equal_points(mesh.points);
-    const std::size_t count = groups.size();
     j[Check::duplicate_point] = {
-        count, [groups = std::move(groups)](std::size_t i) { return Finding{.vertices = groups[i]}; },
+        j.same_place.size(), [&j](std::size_t i) { return Finding{.vertices = j.same_place[i]}; },
         [&mesh](std::size_t, Finding& finding) {
           finding.point = mesh.points[finding.vertices[0]];
           finding.what = fmt::format("{} points with the same coordinates", finding.vertices.size());

@@ -8,6 +8,7 @@
 #include "verify/judgement.hpp"
 #include "verify/orientation.hpp"
 #include "verify/volumes.hpp"
+#include "verify/witness.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -55,6 +56,32 @@ std::vector<std::vector<Index>> duplicates(const Judgement& j, const Orientation
   return result;
 }
 
+// Of the faces that met only as cracks were closed: at each place two that have their tetrahedra on one side.
+std::vector<std::array<FaceId, 2>> newly_folded(const TetMesh& closed_mesh, const FaceMatching& before,
+                                                const FaceMatching& closed) {
+  std::vector<std::array<FaceId, 2>> result;
+  const auto alone = [&](FaceId face) {
+    return std::binary_search(before.boundary.begin(), before.boundary.end(), face);
+  };
+  const auto even = [&](FaceId face) {
+    const auto [a, b, c] = vertices_of(closed_mesh, face);
+    return ((a > b) + (b > c) + (a > c)) % 2 == 0;
+  };
+  for (const FaceGroups* groups : {&closed.thrice, &closed.same_side})
+    for (std::size_t i = 0; i < groups->size(); ++i) {
+      const auto faces = (*groups)[i];
+      if (std::none_of(faces.begin(), faces.end(), alone)) continue;
+      for (std::size_t k = 1; k < faces.size(); ++k)
+        if (even(faces[k]) == even(faces[0]) || k == 2) {
+          const std::size_t other = even(faces[k]) == even(faces[0]) ? 0 : 1;
+          result.push_back({faces[other], faces[k]});
+          break;
+        }
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 Finding faces_finding(const TetMesh& mesh, std::span<const FaceId> faces) {
   Finding finding{.faces = {vertices_of(mesh, faces[0])}};
   for (const FaceId face : faces) finding.tets.push_back(tet_of(face));
@@ -78,7 +105,14 @@ void check_tetrahedra(Judgement& j) {
           finding.what = fmt::format("{} tetrahedra with the same four vertices", finding.tets.size());
         }};
   }
-  j.boundary = find_boundary(mesh, j.excluded, faces);
+  j.boundary_faces = static_cast<std::int64_t>(faces.boundary.size());
+  if (const Cracks cracks = check_cracks(j, faces); cracks.closed) {
+    const FaceMatching closed = match_faces(*cracks.closed, j.excluded);
+    j.boundary = find_boundary(*cracks.closed, j.excluded, closed);
+    j.folded = newly_folded(*cracks.closed, faces, closed);
+  } else {
+    j.boundary = find_boundary(mesh, j.excluded, faces);
+  }
   const auto one_tet = [](std::vector<Index>&& tets) {
     return [tets = std::move(tets)](std::size_t i) { return Finding{.tets = {tets[i]}}; };
   };
@@ -111,8 +145,11 @@ void check_tetrahedra(Judgement& j) {
         [&mesh, groups = std::move(faces.same_side)](std::size_t i) {
           return faces_finding(mesh, groups[i]);
         },
-        [](std::size_t, Finding& finding) {
+        [&mesh](std::size_t, Finding& finding) {
           finding.what = "by the order of their vertices both tetrahedra lie on the same side of this face";
+          if (const auto both =
+                  common_point(mesh.points, mesh.tets[finding.tets[0]], mesh.tets[finding.tets[1]]))
+            finding.point = both->point, finding.point_exact = both->exact;
         }};
   }
 }

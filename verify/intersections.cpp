@@ -8,7 +8,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "verify/box.hpp"
@@ -194,20 +197,182 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
   return slabs;
 }
 
-// The first `most` in order, and how many there were.
-void keep_first(std::vector<std::array<Index, 2>>& pairs, std::size_t most) {
-  std::sort(pairs.begin(), pairs.end());
-  if (pairs.size() > most) pairs.resize(most);
+// The first `most` in order, each once.
+template <class T>
+void keep_first(std::vector<T>& list, std::size_t most) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  if (list.size() > most) list.resize(most), list.shrink_to_fit();
 }
+
+template <class T>
+void add(std::vector<T>& list, const T& item, std::size_t most) {
+  list.push_back(item);
+  if (list.size() > 2 * most + 1024) keep_first(list, most);
+}
+
+void keep_first(Intersections& all, std::size_t most) {
+  keep_first(all.pairs, most);
+  keep_first(all.contacts, most);
+  keep_first(all.folds, most);
+  keep_first(all.near, most);
+}
+
+bool in_box(const Eigen::Vector3d& p, const Box& box) {
+  return p.x() >= box.low[0] && p.x() <= box.high[0] && p.y() >= box.low[1] && p.y() <= box.high[1] &&
+         p.z() >= box.low[2] && p.z() <= box.high[2];
+}
+
+// What of two triangles, whose boxes are wider than they by what is near, is near each other.
+class Nearby {
+ public:
+  Nearby(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const Near& near,
+         std::size_t most)
+      : points_(points),
+        triangles_(triangles),
+        near_(near),
+        room_(near.limit() * near.diagonal()),
+        margin_(2 * room_ * near.diagonal()),
+        most_(most) {}
+
+  // Whether a side of one triangle separates the shadows that both cast along an axis, but for vertices they
+  // share, by so much that they neither meet nor are near each other. Most pairs end here. A vertex beyond
+  // the line of a side by `margin_` / (length of the side) is farther than 2 room_ from the triangle on its
+  // other side; and an end of the side is as far from a triangle that has its other end on the line, and the
+  // rest beyond. Rounding is a thousand times smaller than the margin.
+  bool wide_apart(const Triangle& first, const Triangle& second) const {
+    const Eigen::Vector3d &a = at(first[0]), &b = at(first[1]), &c = at(first[2]);
+    Eigen::Index along = 0;
+    (b - a).cross(c - a).cwiseAbs().maxCoeff(&along);
+    const Eigen::Index x = (along + 1) % 3, y = (along + 2) % 3;
+    const auto separates = [&](const Triangle& sides, const Triangle& other) {
+      const auto area = [&](Index u, Index v, Index w) {
+        const Eigen::Vector3d &p = at(u), &q = at(v), &r = at(w);
+        return (q[x] - p[x]) * (r[y] - p[y]) - (q[y] - p[y]) * (r[x] - p[x]);
+      };
+      const double inside = area(sides[0], sides[1], sides[2]);
+      if (std::abs(inside) <= margin_) return false;
+      const double sign = inside > 0 ? -1 : 1;
+      for (int k = 0; k < 3; ++k) {
+        const Index u = sides[k], v = sides[(k + 1) % 3];
+        if (std::all_of(other.begin(), other.end(),
+                        [&](Index w) { return w == u || w == v || sign * area(u, v, w) > margin_; }))
+          return true;
+      }
+      return false;
+    };
+    return separates(first, second) || separates(second, first);
+  }
+
+  void look(const Box& x, const Box& y, bool meet, Intersections& found) const {
+    const auto s = static_cast<Index>(x.number), t = static_cast<Index>(y.number);
+    const Triangle &first = triangles_[x.number], &second = triangles_[y.number];
+    unsigned own_s = 0, own_t = 7;  // the vertices that the other does not have
+    for (int i = 0; i < 3; ++i) {
+      bool common = false;
+      for (int k = 0; k < 3; ++k)
+        if (first[i] == second[k]) common = true, own_t &= ~(1u << k);
+      if (!common) own_s |= 1u << i;
+    }
+    const Plane plane_s(*this, first), plane_t(*this, second);
+    bool contact = false;
+    for (int i = 0; i < 3; ++i) {
+      if (own_s >> i & 1 && is_near(first[i], y, second, plane_t))
+        add(found.contacts, Contact{first[i], t}, most_), contact = true;
+      if (own_t >> i & 1 && is_near(second[i], x, first, plane_s))
+        add(found.contacts, Contact{second[i], s}, most_), contact = true;
+    }
+    const std::array<Index, 2> pair{std::min(s, t), std::max(s, t)};
+    if (own_s == 7 && !meet &&
+        (contact || (!plane_s.far_side(*this, second) && !plane_t.far_side(*this, first) &&
+                     edges_near(first, second)))) {
+      ++found.near_count;
+      add(found.near, pair, most_);
+    }
+    if (own_s != 0 && (own_s & (own_s - 1)) == 0) {  // a common edge
+      const int i = own_s >> 1, k = own_t >> 1;      // positions of the apexes
+      if (meet || (plane_s.normal.dot(plane_t.normal) <= 0 && edges_cross(first, i, second, k)))
+        add(found.folds, pair, most_);
+    }
+  }
+
+ private:
+  // What is far from a triangle's plane, quickly; where its normal is not to be trusted nothing is.
+  struct Plane {
+    Eigen::Vector3d origin, normal;
+    double bound =
+        std::numeric_limits<double>::infinity();  // of the square of what is near, times the normal's
+
+    Plane(const Nearby& all, const Triangle& t) : origin(all.at(t[0])) {
+      const Eigen::Vector3d b = all.at(t[1]) - origin, c = all.at(t[2]) - origin;
+      normal = b.cross(c);
+      const double square = normal.squaredNorm();
+      if (square > 1e-12 * b.squaredNorm() * c.squaredNorm() && std::isnormal(square))
+        bound = 4 * all.room_ * all.room_ * square;
+    }
+    double height(const Eigen::Vector3d& p) const { return normal.dot(p - origin); }
+    bool far(const Eigen::Vector3d& p) const {
+      const double h = height(p);
+      return h * h > bound;
+    }
+    bool far_side(const Nearby& all, const Triangle& t) const {
+      const double a = height(all.at(t[0])), b = height(all.at(t[1])), c = height(all.at(t[2]));
+      return ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) && a * a > bound && b * b > bound &&
+             c * c > bound;
+    }
+  };
+
+  const Eigen::Vector3d& at(Index v) const { return points_[static_cast<std::size_t>(v)]; }
+
+  bool is_near(Index v, const Box& box, const Triangle& t, const Plane& plane) const {
+    return in_box(at(v), box) && !plane.far(at(v)) && near_.to_triangle(v, t) <= near_.limit();
+  }
+
+  bool segments_near(Index a, Index b, Index c, Index d) const {
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(at(a)[k], at(b)[k]);
+      const auto [other_low, other_high] = std::minmax(at(c)[k], at(d)[k]);
+      if (low - other_high > room_ || other_low - high > room_) return false;
+    }
+    return near_.between_segments(a, b, c, d) <= near_.limit();
+  }
+
+  bool edges_near(const Triangle& s, const Triangle& t) const {
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        if (segments_near(s[i], s[(i + 1) % 3], t[k], t[(k + 1) % 3])) return true;
+    return false;
+  }
+
+  // Of two triangles with a common edge: from an end of it to the one's apex, and from the other end to the
+  // other's.
+  bool edges_cross(const Triangle& s, int i, const Triangle& t, int k) const {
+    const Index a = s[(i + 1) % 3], b = s[(i + 2) % 3];
+    return segments_near(a, s[i], b, t[k]) || segments_near(b, s[i], a, t[k]);
+  }
+
+  std::span<const Eigen::Vector3d> points_;
+  std::span<const Triangle> triangles_;
+  const Near& near_;
+  double room_;    // what is near [length]
+  double margin_;  // [length^2]
+  std::size_t most_;
+};
 
 }  // namespace
 
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
-                                 const std::vector<std::uint8_t>& excluded, std::size_t most) {
+                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
+                                 const Near* near) {
+  if (near && !near->usable()) near = nullptr;
+  const double room = near ? near->limit() * near->diagonal() : 0;
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (excluded.empty() || !excluded[t]) boxes.push_back(box_of(points, triangles[t], t));
+    if (excluded.empty() || !excluded[t]) {
+      boxes.push_back(box_of(points, triangles[t], t));
+      for (int k = 0; k < 3; ++k) boxes.back().low[k] -= room, boxes.back().high[k] += room;
+    }
   Intersections result;
   if (boxes.empty()) return result;
 
@@ -217,34 +382,47 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
     begins[boxes[i].number] = slabs.slab_of(boxes[i].low[slabs.axis]);
     ends[boxes[i].number] = slabs.slab_of(boxes[i].high[slabs.axis]);
   });
-  std::vector<Intersections> found(slabs.splits.size() + 1);
+  const std::optional<Nearby> nearby =
+      near ? std::optional<Nearby>(std::in_place, points, triangles, *near, most) : std::nullopt;
+  std::mutex joining;
   tbb::parallel_for(
-      std::size_t{0}, found.size(),
+      std::size_t{0}, slabs.splits.size() + 1,
       [&](std::size_t slab) {
         std::vector<Box> mine;
         for (const Box& box : boxes)
           if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
-        auto& [count, pairs] = found[slab];
-        const auto meet = [&, &n = count, &list = pairs](const Box& x, const Box& y) {
+        Intersections found;
+        const auto meet = [&](const Box& x, const Box& y) {
           if (std::max(begins[x.number], begins[y.number]) != slab) return;
           const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-          if (!triangles_meet(points, triangles[low], triangles[high])) return;
-          ++n;
-          list.push_back({low, high});
-          if (list.size() > 2 * most + 1024) keep_first(list, most);
+          if (nearby && nearby->wide_apart(triangles[low], triangles[high])) return;
+          const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
+          if (meeting) {
+            ++found.count;
+            add(found.pairs, std::array<Index, 2>{low, high}, most);
+          }
+          if (nearby) nearby->look(x, y, meeting, found);
         };
         // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
         // default, 10.
         CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
                                       CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
                                       CGAL::Box_intersection_d::CLOSED);
+        // The first of a union are the first of its parts' first, in whatever order the parts come.
+        const std::lock_guard lock(joining);
+        const auto join = [&](auto& all, const auto& part) {
+          all.insert(all.end(), part.begin(), part.end());
+          if (all.size() > 2 * most + 1024) keep_first(all, most);
+        };
+        result.count += found.count;
+        result.near_count += found.near_count;
+        join(result.pairs, found.pairs);
+        join(result.contacts, found.contacts);
+        join(result.folds, found.folds);
+        join(result.near, found.near);
       },
       tbb::simple_partitioner());
-  for (const Intersections& part : found) {
-    result.count += part.count;
-    result.pairs.insert(result.pairs.end(), part.pairs.begin(), part.pairs.end());
-  }
-  keep_first(result.pairs, most);
+  keep_first(result, most);
   return result;
 }
 

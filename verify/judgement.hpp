@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "verify/boundary.hpp"
+#include "verify/conformity.hpp"
+#include "verify/cracks.hpp"
+#include "verify/intersections.hpp"
 #include "verify/suspects.hpp"
 #include "verify/verify.hpp"
 
@@ -19,7 +22,12 @@ struct Judgement {
   const Options& options;
   std::array<bool, check_count> asked{};  ///< not skipped by the options
   std::vector<std::uint8_t> excluded{};   ///< tetrahedra that geometry cannot be asked about; empty: none
-  Boundary boundary{};
+  std::vector<std::vector<Index>> same_place{};  ///< points with equal coordinates; ascending
+  std::int64_t boundary_faces = 0;               ///< of the mesh as it is written
+  Boundary boundary{};                           ///< with cracks closed
+  std::vector<std::array<FaceId, 2>> folded{};   ///< with cracks closed: two at one place, both on one side
+  Intersections meetings{};                      ///< of the boundary's triangles
+  Conformity conformity{};
   std::vector<Suspects> suspects = std::vector<Suspects>(check_count);
   Report report{};
 
@@ -29,8 +37,17 @@ struct Judgement {
 
 /// index-range, finite-coordinates, repeated-vertex, duplicate-point, unused-point; decides what is excluded.
 void check_numbers_and_points(Judgement& judgement);
-/// inverted, flat, duplicate-tet, face-shared-thrice, face-orientation; finds the boundary.
+/// inverted, flat, duplicate-tet, face-shared-thrice, face-orientation, crack; finds the boundary.
 void check_tetrahedra(Judgement& judgement);
+/// crack; the mesh with its cracks closed.
+Cracks check_cracks(Judgement& judgement, const FaceMatching& faces);
+
+/// Of pairs of triangles that meet or are near so many are kept; the others are counted.
+inline constexpr std::size_t most_pairs = 100000;
+/// hanging-node, crossed-diagonal, near-contact; finds what of the boundary meets. `covered`: see
+/// `find_conformity`.
+void check_conformity(Judgement& judgement, const std::vector<std::uint8_t>& degenerate,
+                      const std::vector<Index>& covered);
 /// cavity, boundary-nonmanifold-edge and -vertex, boundary-self-intersection, overlap; the mesh's components
 /// and genus. The largest `right_cavities` cavities are as they should be.
 void check_boundary(Judgement& judgement, const MeshVolumes& volumes, std::size_t right_cavities);

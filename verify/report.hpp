@@ -26,6 +26,10 @@ enum class Check {
   flat,
   face_shared_thrice,
   face_orientation,
+  hanging_node,
+  crossed_diagonal,
+  crack,
+  near_contact,
   cavity,
   boundary_nonmanifold_edge,
   boundary_nonmanifold_vertex,
@@ -35,7 +39,7 @@ enum class Check {
   volume_surface,
   volume_voxel,
 };
-inline constexpr int check_count = 18;
+inline constexpr int check_count = 22;
 
 /// What a finding of a check means for the verdict.
 enum class Severity {

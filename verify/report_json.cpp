@@ -53,10 +53,12 @@ Json json(const Finding& finding, const Numbering& numbering) {
 Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
-  // Only the voxels' account rests on anything but exact decisions.
+  // The voxels' account and what is called near rest on more than exact decisions.
+  const bool exact = result.check != Check::volume_voxel && result.check != Check::hanging_node &&
+                     result.check != Check::crossed_diagonal && result.check != Check::near_contact;
   return {{"id", info(result.check).id},
           {"verdict", name(result.verdict)},
-          {"exact", result.check != Check::volume_voxel},
+          {"exact", exact},
           {"count", result.count},
           {"consequences", result.consequences},
           {"measured", or_null(result.measured)},

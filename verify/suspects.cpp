@@ -128,28 +128,48 @@ void add_consequence(Finding& cause, Check check) {
 }  // namespace
 
 void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report) {
+  // Points in one place follow from the crack between the faces that name them.
+  constexpr Set last = set(Check::duplicate_point, Check::unused_point);
+  constexpr Set named = set(Check::hanging_node, Check::crossed_diagonal, Check::crack);
+  const auto is_in = [](Check check, Set checks) { return (checks >> static_cast<int>(check) & 1) != 0; };
   Roots roots(mesh);
-  for (CheckResult& result : report.checks) {
-    const Suspects& found = suspects[static_cast<std::size_t>(result.check)];
+  std::array<std::vector<std::uint32_t>, check_count>
+      root_of;  // of each suspect that can be named as a cause
+  const auto settle_check = [&](CheckResult& result) {
+    const auto check = static_cast<std::size_t>(result.check);
+    const Suspects& found = suspects[check];
     for (std::size_t i = 0; i < found.count; ++i) {
       Finding finding = found.finding(i);
-      if (const std::uint32_t root = roots.of(finding, causes(result.check)); root != Roots::none) {
+      std::uint32_t root = Roots::none;
+      if (const auto cause = found.cause ? found.cause(i) : std::nullopt)
+        if (const auto& known = root_of[static_cast<std::size_t>(cause->check)];
+            cause->suspect < known.size())
+          root = known[cause->suspect];
+      if (root == Roots::none) root = roots.of(finding, causes(result.check));
+      const bool follows = root != Roots::none;
+      if (follows) {
         ++result.consequences;
         roots.mark(finding, root);
         auto& findings = report.checks[static_cast<std::size_t>(roots[root].check)].findings;
         if (roots[root].finding < findings.size())
           add_consequence(findings[roots[root].finding], result.check);
-        continue;
+      } else if (can_cause(result.check) || is_in(result.check, named)) {
+        root = roots.add({result.check, static_cast<std::size_t>(result.count)});
+        if (can_cause(result.check)) roots.mark(finding, root);
       }
-      if (can_cause(result.check))
-        roots.mark(finding, roots.add({result.check, static_cast<std::size_t>(result.count)}));
+      if (is_in(result.check, named)) root_of[check].push_back(root);
+      if (follows) continue;
       ++result.count;
       if (result.findings.size() >= most_findings) continue;
       found.describe(i, finding);
       result.findings.push_back(std::move(finding));
     }
     result.count += static_cast<std::int64_t>(found.beyond);
-  }
+  };
+  for (CheckResult& result : report.checks)
+    if (!is_in(result.check, last)) settle_check(result);
+  for (CheckResult& result : report.checks)
+    if (is_in(result.check, last)) settle_check(result);
 }
 
 }  // namespace tetproof::verify

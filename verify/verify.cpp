@@ -89,7 +89,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   const MeshVolumes volumes = mesh_volumes(mesh, j.boundary);
   report.mesh.points = static_cast<std::int64_t>(mesh.points.size());
   report.mesh.tets = static_cast<std::int64_t>(mesh.tets.size());
-  report.mesh.boundary_faces = static_cast<std::int64_t>(j.boundary.faces.size());
+  report.mesh.boundary_faces = j.boundary_faces;
   report.mesh.volume = report.volume.mesh = volumes.sets.weighted_sum(volumes.all);
   phases.done("volume");
   check_boundary(j, volumes, surface ? right_cavities(options.region, surface->report()) : 0);

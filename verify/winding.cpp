@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 #include "verify/box.hpp"
@@ -164,12 +163,13 @@ std::vector<int> nesting_depths(std::span<const Eigen::Vector3d> points, std::sp
   return depths;
 }
 
-Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle) {
+Index tet_inside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle,
+                 Index without) {
   const std::span<const Eigen::Vector3d> points = mesh.points;
   const Point a = scaled(points[triangle[0]]), b = scaled(points[triangle[1]]),
               c = scaled(points[triangle[2]]);
   const Point origin = centroid(points, triangle),
-              outwards{normal(a, b, c, 0), normal(a, b, c, 1), normal(a, b, c, 2)};
+              inwards{normal(a, c, b, 0), normal(a, c, b, 1), normal(a, c, b, 2)};
   Eigen::Vector3d low, high;
   for (int k = 0; k < 3; ++k) std::tie(low[k], high[k]) = CGAL::to_interval(CGAL::Gmpq(origin[k]) / 3);
   // Inside every face, or on it and on the way inwards.
@@ -181,7 +181,7 @@ Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded
       for (int k = 0; k < 3; ++k) {
         const Exact n = normal(p, q, r, k);
         height += n * (origin[k] - p[k]);
-        way += n * outwards[k];
+        way += n * inwards[k];
       }
       const CGAL::Sign outside = CGAL::sign(height) != CGAL::ZERO ? CGAL::sign(height) : CGAL::sign(way);
       if (outside == CGAL::POSITIVE) return false;
@@ -190,7 +190,7 @@ Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded
   };
   const auto first = [&](const tbb::blocked_range<std::size_t>& range, Index found) {
     for (std::size_t t = range.begin(); t < range.end() && found < 0; ++t) {
-      if (!excluded.empty() && excluded[t]) continue;
+      if (static_cast<Index>(t) == without || (!excluded.empty() && excluded[t])) continue;
       const std::array<Index, 4>& tet = mesh.tets[t];
       const Eigen::Vector3d &p = points[tet[0]], &q = points[tet[1]], &r = points[tet[2]],
                             &s = points[tet[3]];
@@ -205,19 +205,6 @@ Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded
                               [](Index x, Index y) { return x < 0   ? y
                                                             : y < 0 ? x
                                                                     : std::min(x, y); });
-}
-
-std::array<std::string, 3> exact_centroid(std::span<const Eigen::Vector3d> points, const Triangle& triangle) {
-  const Point sum = centroid(points, triangle);
-  std::array<std::string, 3> text;
-  for (int k = 0; k < 3; ++k) {
-    const CGAL::Gmpq value = CGAL::Gmpq(sum[k]) / 3;
-    std::ostringstream numerator, denominator;
-    numerator << value.numerator();
-    denominator << value.denominator();
-    text[k] = numerator.str() + "/" + denominator.str();
-  }
-  return text;
 }
 
 }  // namespace tetproof::verify

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "verify/edges.hpp"
@@ -32,12 +31,10 @@ std::vector<std::vector<Crossing>> cast_rays(std::span<const Eigen::Vector3d> po
 std::vector<int> nesting_depths(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                                 const Sheets& sheets);
 
-/// The first tetrahedron that contains the points next to a triangle's centroid on its outer side, or -1;
-/// exact. All tetrahedra but the `excluded` ones (empty: none) are looked at; negative and flat ones contain
-/// nothing.
-Index tet_outside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle);
-
-/// The centroid of a triangle as three rationals "n/d", exact.
-std::array<std::string, 3> exact_centroid(std::span<const Eigen::Vector3d> points, const Triangle& triangle);
+/// The first tetrahedron but `without` that contains the points next to a triangle's centroid on its inner
+/// side, or -1; exact. All tetrahedra but the `excluded` ones (empty: none) are looked at; negative and flat
+/// ones contain nothing.
+Index tet_inside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle,
+                 Index without);
 
 }  // namespace tetproof::verify

@@ -126,6 +126,9 @@ TEST(Intersections, AgreeWithRationalArithmeticOnSoups) {
     const verify::Intersections found = verify::self_intersections(soup.points, soup.triangles, {});
     ASSERT_EQ(found.pairs, pairs);
     ASSERT_EQ(found.count, static_cast<std::int64_t>(pairs.size()));
+    // Asked for what is near as well, it takes another way to the same pairs.
+    const verify::Near near(soup.points, soup.triangles);
+    ASSERT_EQ(verify::self_intersections(soup.points, soup.triangles, {}, 100000, &near).pairs, pairs);
   }
   EXPECT_GT(meeting, 500);
   EXPECT_GT(apart, 500);
@@ -160,6 +163,9 @@ TEST_P(CrumpledSphere, IntersectsItselfWhereCgalSays) {
   std::sort(pairs.begin(), pairs.end());
   EXPECT_GT(pairs.size(), 50u);
   EXPECT_EQ(verify::self_intersections(sphere.vertices, sphere.triangles, {}, pairs.size() + 1).pairs, pairs);
+  const verify::Near near(sphere.vertices, sphere.triangles);
+  EXPECT_EQ(verify::self_intersections(sphere.vertices, sphere.triangles, {}, pairs.size() + 1, &near).pairs,
+            pairs);
 }
 
 TEST(Intersections, FirstPairsAndFullCount) {
