@@ -79,7 +79,12 @@ Grid adopt(const Grid& grid, TraceStart& start, TracePoints& points) {
   Grid adopted = grid;
   for (std::size_t w = 0; w < start.weights.size(); ++w) {
     Corners tet;
-    for (int v = 0; v < 4; ++v) tet[v] = points.find(start.weights[w].tet[v]);
+    try {
+      for (int v = 0; v < 4; ++v) tet[v] = points.find(start.weights[w].tet[v]);
+    } catch (const Divergence& unknown) {
+      throw Divergence{"the first grid: " + unknown.what +
+                       "; tetproof-compare tells which of steps (i) to (iv) made it"};
+    }
     if (!start.named.emplace(sorted(tet), w).second)
       throw Divergence{"the first grid: the tetrahedron at " + text(start.weights[w].tet) + " comes twice"};
   }
