@@ -91,6 +91,22 @@ TEST_F(Verify, ADefectiveMesh) {
   EXPECT_GT(check(bad, "face-shared-thrice")["consequences"], 0);
 }
 
+TEST_F(Verify, ACrackedMesh) {
+  // The first tetrahedron with four points of its own: its two inner faces are not shared.
+  files.write("cracked.node",
+              std::string(cube_node).replace(0, 1, "12") + "9 -1 -1 -1\n10 1 -1 -1\n11 1 1 -1\n12 1 1 1\n");
+  files.write("cracked.ele", std::string(cube_ele).replace(6, 9, "1 9 10 11 12"));
+  const json cracked = report({"cracked.node"}, 1);
+  EXPECT_EQ(cracked["certificate"], false);
+  EXPECT_EQ(check(cracked, "crack")["count"], 2);
+  EXPECT_EQ(check(cracked, "crack")["exact"], true);
+  EXPECT_EQ(check(cracked, "crack")["findings"][0]["tets"].size(), 2u);
+  EXPECT_EQ(check(cracked, "crack")["findings"][0]["faces"].size(), 2u);
+  EXPECT_EQ(check(cracked, "hanging-node")["verdict"], "pass");
+  EXPECT_EQ(check(cracked, "hanging-node")["exact"], false);
+  EXPECT_EQ(check(cracked, "boundary-self-intersection")["verdict"], "pass");
+}
+
 TEST_F(Verify, AgainstASurface) {
   const json exact = report({"cube.node", "cube.off", "--fidelity", "0", "--voxels", "16"}, 0);
   EXPECT_EQ(exact["volume"]["mesh"], 8.0);
