@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs of triangles that meet in more than their common vertices and edge, exactly. Internal.
+// The search for all pairs of triangles that meet, or that are near each other. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,27 +9,11 @@
 #include <vector>
 
 #include "verify/edges.hpp"
+#include "verify/nearby.hpp"
 #include "verify/nearness.hpp"
+#include "verify/triangle_pairs.hpp"
 
 namespace tetproof::verify {
-
-/// 1 where a triangle's three vertices lie on a line, exactly tested; `count` of them.
-struct Degenerate {
-  std::vector<std::uint8_t> triangles;
-  std::int64_t count = 0;
-};
-Degenerate degenerate_triangles(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles);
-
-/// Whether two non-degenerate triangles meet in a point that is not on a common vertex or edge; vertices are
-/// common when their numbers are equal (touching without a common number is meeting). Three common vertices:
-/// always.
-bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& a, const Triangle& b);
-
-/// A vertex near a triangle that it does not belong to.
-struct Contact {
-  Index vertex, triangle;
-  auto operator<=>(const Contact&) const = default;
-};
 
 /// All lists ascend, and hold the first `most` at most.
 struct Intersections {
