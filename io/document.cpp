@@ -2,6 +2,7 @@
 #include "io/document.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -133,6 +134,29 @@ Numbering numbering(const Document& document) {
       for (std::size_t e = 0; e < block.count; ++e)
         names.tets.push_back(document.element_tag(block.first + e));
   return names;
+}
+
+std::vector<std::int64_t> tet_regions(const Document& document) {
+  const auto attributes =
+      std::find_if(document.element_values.begin(), document.element_values.end(), [&](const Values& values) {
+        return document.format == "tetgen" && values.name == "attributes" && !values.reals.empty();
+      });
+  std::vector<std::int64_t> regions;
+  for (const ElementBlock& block : document.blocks) {
+    if (!has_shape(block, Shape::tetrahedron)) continue;
+    if (attributes == document.element_values.end()) {
+      const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+      regions.insert(regions.end(), block.count, groups.empty() ? block.entity : groups[0]);
+      continue;
+    }
+    for (std::size_t e = block.first; e < block.first + block.count; ++e) {
+      const double attribute = attributes->reals[e * static_cast<std::size_t>(attributes->components)];
+      if (!(std::abs(attribute) < 9e15) || attribute != std::floor(attribute)) return {};
+      regions.push_back(static_cast<std::int64_t>(attribute));
+    }
+  }
+  if (std::equal(regions.begin() + !regions.empty(), regions.end(), regions.begin())) regions.clear();
+  return regions;
 }
 
 TriangleSurface surface_of(const Document& document) {

@@ -128,6 +128,11 @@ TetMesh tet_mesh(const Document&);
 /// How the file numbered the points and tetrahedra of `tet_mesh(document)`.
 Numbering numbering(const Document&);
 
+/// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, its entity
+/// where it has none; TetGen's first attribute. Empty where all are in one region, or attributes are not whole
+/// numbers.
+std::vector<std::int64_t> tet_regions(const Document&);
+
 /// All triangles of any order, by their corners; vertices are the document's nodes without those that
 /// elements use, but none as a triangle's corner.
 TriangleSurface surface_of(const Document&);

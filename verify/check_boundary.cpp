@@ -271,16 +271,6 @@ void check_overlap(Judgement& j, const std::vector<Covered>& covered) {
 void check_boundary(Judgement& j, const MeshVolumes& volumes, std::size_t right_cavities) {
   const Boundary& boundary = j.boundary;
   const std::vector<Index> holes = cavities(j, volumes);
-  if (boundary.closed && boundary.triangles.size() == boundary.faces.size()) {
-    Shape& shape = j.report.mesh;
-    shape.components = static_cast<std::int64_t>(boundary.sheets.sheets.size());
-    shape.cavities = static_cast<std::int64_t>(holes.size());
-    shape.genus = 0;
-    for (const Sheet& sheet : boundary.sheets.sheets) {
-      shape.genus_per_component.push_back(sheet.genus());
-      *shape.genus += sheet.genus();
-    }
-  }
   const Degenerate degenerate = degenerate_triangles(j.mesh.points, boundary.boundary_triangles());
   const std::vector<Covered> covered = covered_faces(j, degenerate.triangles);
   std::vector<Index> covered_positions;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "verify/boundary.hpp"
+#include "verify/report.hpp"
 #include "verify/volumes.hpp"
 
 namespace tetproof::verify {
@@ -21,5 +22,9 @@ inline MeshVolumes mesh_volumes(const TetMesh& mesh, const Boundary& boundary) {
   set_of.resize(boundary.triangles.size(), static_cast<Index>(sheets));
   return {ExactVolumes(mesh.points, boundary.triangles, set_of, sheets + 1), std::vector<int>(sheets + 1, 1)};
 }
+
+/// Components, cavities and genus of a boundary that is closed and all of whose faces match, and its volume
+/// rounded once. Of the counts, the boundary's faces alone.
+Shape shape_of(const Boundary& boundary, const MeshVolumes& volumes);
 
 }  // namespace tetproof::verify

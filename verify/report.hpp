@@ -126,10 +126,18 @@ struct Quality {
   Distribution aspect_ratios;    ///< longest edge / (2 sqrt(6) inradius): 1 for the regular tetrahedron
 };
 
+/// One region of a mesh of several. Boundary faces are those that no other tetrahedron of the region has:
+/// faces shared with other regions are among them.
+struct RegionAccount {
+  std::int64_t tag = 0;
+  Shape shape{};
+};
+
 struct Report {
   std::vector<CheckResult> checks;  ///< all, in the order of `Check`
   std::optional<bool> certificate;  ///< absent when a check that it needs was skipped and none failed
   Shape mesh;
+  std::vector<RegionAccount> regions;  ///< by their tags; empty where there is one only
   std::optional<Shape> surface;
   VolumeAccount volume;
   std::optional<Quality> quality;

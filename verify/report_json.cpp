@@ -89,10 +89,16 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 std::string report_json(const Report& report, const Numbering& numbering) {
   Json checks = Json::array();
   for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
+  Json regions = Json::array();
+  for (const RegionAccount& region : report.regions) {
+    regions.push_back({{"tag", region.tag}});
+    regions.back().update(json(region.shape, true));
+  }
   Json all = {{"verdict", sound(report) ? "sound" : "defective"},
               {"certificate", or_null(report.certificate)},
               {"checks", checks},
               {"mesh", json(report.mesh, true)},
+              {"regions", regions},
               {"surface", report.surface ? json(*report.surface, false) : Json()},
               {"volume",
                {{"mesh", or_null(report.volume.mesh)},

@@ -2,55 +2,13 @@
 // The report for people: the verdict, what is wrong and where, then what there is.
 #include <fmt/core.h>
 
+#include "verify/findings_text.hpp"
 #include "verify/report.hpp"
 
 namespace tetproof::verify {
 namespace {
 
-constexpr std::size_t shown = 5;  // findings of a check, and elements of a finding; the JSON has more
-
-std::string place(const Finding& finding, const Numbering& numbering) {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name) {
-    if (count == 0) return;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", count == 1 ? one : many);
-    for (std::size_t i = 0; i < count && i < shown; ++i) text += (i ? ", " : " ") + name(i);
-    if (count > shown) text += fmt::format(", ... ({} in all)", count);
-  };
-  add(finding.tets.size(), "tetrahedron", "tetrahedra",
-      [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
-  add(finding.faces.size(), "face", "faces", [&](std::size_t i) {
-    const auto& [a, b, c] = finding.faces[i];
-    return fmt::format("({} {} {})", numbering.point(a), numbering.point(b), numbering.point(c));
-  });
-  add(finding.vertices.size(), "vertex", "vertices",
-      [&](std::size_t i) { return fmt::format("{}", numbering.point(finding.vertices[i])); });
-  if (finding.point)
-    text += fmt::format("{}at ({:.9g}, {:.9g}, {:.9g})", text.empty() ? "" : " ", finding.point->x(),
-                        finding.point->y(), finding.point->z());
-  return text;
-}
-
-std::string describe(const CheckResult& result, const Numbering& numbering) {
-  std::string text =
-      fmt::format("{} {}", result.verdict == Verdict::fail ? "FAIL" : "warning", info(result.check).id);
-  if (result.count > 0) text += fmt::format(": {}", result.count);
-  if (result.consequences > 0)
-    text += fmt::format(
-        "{} {} of what is found above", result.count > 0 ? ", and" : ":",
-        result.consequences == 1 ? "1 consequence" : fmt::format("{} consequences", result.consequences));
-  text += "\n";
-  for (std::size_t i = 0; i < result.findings.size() && i < shown; ++i) {
-    const Finding& finding = result.findings[i];
-    const std::string where = place(finding, numbering);
-    text += fmt::format("  {}{}{}\n", where, where.empty() ? "" : ": ", finding.what);
-    for (const Consequence& c : finding.consequences)
-      text += fmt::format("    from this follows: {} {}\n", c.count, info(c.check).id);
-  }
-  if (result.count > static_cast<std::int64_t>(shown))
-    text += fmt::format("  ... {} more\n", result.count - static_cast<std::int64_t>(shown));
-  return text;
-}
+constexpr std::size_t most_regions = 12;
 
 std::string counted(std::int64_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -69,15 +27,10 @@ std::string shape_text(const Shape& shape) {
 }  // namespace
 
 std::string report_text(const Report& report, const Numbering& numbering) {
-  std::string text = sound(report) ? "sound" : "DEFECTIVE";
-  if (!report.certificate)
-    text += ": no certificate, a check that it needs was skipped\n";
-  else
-    text += *report.certificate ? ": certified, the tetrahedra are a valid triangulation of a solid\n"
-                                : ": no certificate\n";
+  std::string text = verdict_text(report) + "\n";
   for (const Verdict verdict : {Verdict::fail, Verdict::warning})
     for (const CheckResult& result : report.checks)
-      if (result.verdict == verdict) text += describe(result, numbering);
+      if (result.verdict == verdict) text += check_text(result, numbering);
   for (const CheckResult& result : report.checks)
     if (result.verdict == Verdict::undecided)
       text += fmt::format(
@@ -88,6 +41,14 @@ std::string report_text(const Report& report, const Numbering& numbering) {
       "mesh      {}, {}, {}; boundary of {}\n", counted(report.mesh.tets, "tetrahedron", "tetrahedra"),
       counted(report.mesh.points, "point", "points"),
       counted(report.mesh.boundary_faces, "boundary face", "boundary faces"), shape_text(report.mesh));
+  for (std::size_t i = 0; i < report.regions.size() && i < most_regions; ++i) {
+    const auto& [tag, shape] = report.regions[i];
+    text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", tag,
+                        counted(shape.tets, "tetrahedron", "tetrahedra"), shape.volume.value_or(0),
+                        counted(shape.boundary_faces, "face", "faces"), shape_text(shape));
+  }
+  if (report.regions.size() > most_regions)
+    text += fmt::format("          ... {} more regions\n", report.regions.size() - most_regions);
   if (report.surface)
     text += fmt::format("surface   {}, {}; {}\n",
                         counted(report.surface->boundary_faces, "triangle", "triangles"),

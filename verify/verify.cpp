@@ -12,6 +12,7 @@
 #include "verify/judgement.hpp"
 #include "verify/mesh_volumes.hpp"
 #include "verify/quality.hpp"
+#include "verify/regions.hpp"
 #include "verify/surface_judgement.hpp"
 
 namespace tetproof::verify {
@@ -73,6 +74,9 @@ void settle_verdicts(const Judgement& j, Report& report) {
 Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
   if (!(options.fidelity >= 0) || !std::isfinite(options.fidelity))
     throw InputError(fmt::format("fidelity is {}, expected a number >= 0", options.fidelity));
+  if (!options.regions.empty() && options.regions.size() != mesh.tets.size())
+    throw InputError(fmt::format("regions of {} tetrahedra are given, expected those of all {}",
+                                 options.regions.size(), mesh.tets.size()));
   Judgement j{.mesh = mesh, .options = options, .asked = asked_checks(options, surface)};
   Report& report = j.report;
   for (int i = 0; i < check_count; ++i) report.checks.push_back({.check = static_cast<Check>(i)});
@@ -87,10 +91,12 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   check_tetrahedra(j);
   phases.done("tetrahedra");
   const MeshVolumes volumes = mesh_volumes(mesh, j.boundary);
+  report.mesh = shape_of(j.boundary, volumes);
   report.mesh.points = static_cast<std::int64_t>(mesh.points.size());
   report.mesh.tets = static_cast<std::int64_t>(mesh.tets.size());
   report.mesh.boundary_faces = j.boundary_faces;
-  report.mesh.volume = report.volume.mesh = volumes.sets.weighted_sum(volumes.all);
+  report.volume.mesh = report.mesh.volume;
+  if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, j.excluded);
   phases.done("volume");
   check_boundary(j, volumes, surface ? right_cavities(options.region, surface->report()) : 0);
   phases.done("boundary");

@@ -24,6 +24,9 @@ struct Options {
       false;  ///< topology, cavities and non-manifold edges and vertices fail; so they do at fidelity 0
   int voxels = 128;  ///< along the longest side, for the independent account of volume; 0: without
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
+  /// The region of each tetrahedron, as element tags say; empty: one region. Regions may share faces. The mesh
+  /// is judged as a whole, and each region gets its account.
+  std::vector<std::int64_t> regions;
   bool timings = false;
   bool quality = true;  ///< measure angles and aspect ratios
 };

@@ -13,6 +13,7 @@
 
 #include "corpus/surfaces.hpp"
 #include "io/atomic_file.hpp"
+#include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
@@ -39,13 +40,23 @@ struct Arguments {
 struct Loaded {
   TetMesh mesh;
   Numbering numbering;
+  std::vector<std::int64_t> regions;
+  std::vector<std::string> notes;
 };
 
 // The document, which may be many times as large, is gone before the judge starts.
 Loaded load(const std::string& path) {
   const Document document = read_document(path);
-  Loaded loaded{tet_mesh(document), numbering(document)};
+  Loaded loaded{tet_mesh(document), numbering(document), tet_regions(document), {}};
   if (loaded.mesh.tets.empty()) throw InputError(path + ": holds no tetrahedra");
+  std::size_t higher = 0;
+  for (const ElementBlock& block : document.blocks) {
+    const io::ElementType* type = io::element_type(block.type);
+    if (type && type->shape == io::Shape::tetrahedron && type->nodes > type->corners) higher += block.count;
+  }
+  if (higher > 0)
+    loaded.notes.push_back(
+        fmt::format("{} tetrahedra of second or higher order are judged by their corners", higher));
   return loaded;
 }
 
@@ -84,9 +95,11 @@ int work(const Arguments& given, const program::Common& common) {
 
   if (!arguments.defects.empty()) check_creatable(arguments.defects);
   const auto start = std::chrono::steady_clock::now();
-  const Loaded loaded = load(arguments.mesh);
+  Loaded loaded = load(arguments.mesh);
+  arguments.options.regions = std::move(loaded.regions);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   verify::Report report = judge(loaded.mesh, arguments);
+  report.notes.insert(report.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   if (arguments.options.timings) report.seconds.insert(report.seconds.begin(), {"reading", reading});
 
   if (!arguments.defects.empty())

@@ -73,6 +73,37 @@ TEST_F(Verify, ASoundMesh) {
   EXPECT_FALSE(sound.contains("seconds"));
 }
 
+// TetGen's attributes and Gmsh's groups are regions; tetrahedra of second order are judged by their corners.
+TEST_F(Verify, RegionsByElementTags) {
+  files.write("parts.node", cube_node);
+  files.write("parts.ele",
+              "6 4 1\n1 1 2 4 8 7\n2 1 4 3 8 7\n3 1 3 7 8 7\n4 1 7 5 8 9\n5 1 5 6 8 9\n6 1 6 2 8 9\n");
+  const json parts = report({"parts.ele"}, 0);
+  ASSERT_EQ(parts["regions"].size(), 2);
+  EXPECT_EQ(parts["regions"][0]["tag"], 7);
+  EXPECT_EQ(parts["regions"][1]["tag"], 9);
+  EXPECT_EQ(parts["regions"][1]["tets"], 3);
+  EXPECT_EQ(parts["regions"][1]["volume"], 4.0);
+  EXPECT_EQ(parts["regions"][1]["boundary_faces"], 8);
+  EXPECT_EQ(report({"cube.ele"}, 0)["regions"], json::array());
+  EXPECT_THAT(run({"parts.ele"}).out, HasSubstr("region 7  3 tetrahedra, volume 4; boundary of 8 faces"));
+}
+
+TEST_F(Verify, SecondOrderByCorners) {
+  // One tetrahedron with its six midpoints, in Gmsh's order.
+  files.write(
+      "second.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n"
+      "6 1 1 0\n7 0 1 0\n8 0 0 1\n9 0 1 1\n10 1 0 1\n$EndNodes\n$Elements\n1\n"
+      "1 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n");
+  const json second = report({"second.msh"}, 0);
+  EXPECT_EQ(second["mesh"]["points"], 4);
+  EXPECT_EQ(second["mesh"]["tets"], 1);
+  EXPECT_EQ(second["certificate"], true);
+  ASSERT_EQ(second["notes"].size(), 1);
+  EXPECT_EQ(second["notes"][0], "1 tetrahedra of second or higher order are judged by their corners");
+}
+
 TEST_F(Verify, ADefectiveMesh) {
   const Outcome outcome = run({"bad.node", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 1) << outcome;
