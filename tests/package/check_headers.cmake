@@ -1,4 +1,5 @@
-# Every installed header compiles on its own, and none brings in another project's headers but Eigen's.
+# Every installed header compiles on its own, and none brings in another project's headers but Eigen's; GoogleTest's
+# only <tetproof/verify/gtest.hpp> does, which is what it is for.
 # usage: cmake -DPREFIX=DIR -DCOMPILER=CXX -DEIGEN=DIR -DWORK=DIR -P check_headers.cmake
 file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*/*.hpp")
 list(LENGTH headers count)
@@ -21,5 +22,9 @@ foreach(header ${headers})
   string(REGEX MATCHALL "[^ \\\n]*/(CGAL|openvdb|boost|fmt|tbb|oneapi|nlohmann|CLI|nanoflann|pugixml|gmsh)[^ \\\n]*" foreign "${names}")
   if(foreign)
     message(SEND_ERROR "<${header}> includes ${foreign}")
+  endif()
+  string(REGEX MATCH "[^ \\\n]*/(gtest|gmock)/[^ \\\n]*" googletest "${names}")
+  if(googletest AND NOT header STREQUAL "tetproof/verify/gtest.hpp")
+    message(SEND_ERROR "<${header}> includes ${googletest}")
   endif()
 endforeach()

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/findings_text.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace tetproof::verify {
+namespace {
+
+constexpr std::size_t shown = 5;  // elements of a finding
+
+std::string place(const Finding& finding, const Numbering& numbering) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name) {
+    if (count == 0) return;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", count == 1 ? one : many);
+    for (std::size_t i = 0; i < count && i < shown; ++i) text += (i ? ", " : " ") + name(i);
+    if (count > shown) text += fmt::format(", ... ({} in all)", count);
+  };
+  add(finding.tets.size(), "tetrahedron", "tetrahedra",
+      [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
+  add(finding.faces.size(), "face", "faces", [&](std::size_t i) {
+    const auto& [a, b, c] = finding.faces[i];
+    return fmt::format("({} {} {})", numbering.point(a), numbering.point(b), numbering.point(c));
+  });
+  add(finding.vertices.size(), "vertex", "vertices",
+      [&](std::size_t i) { return fmt::format("{}", numbering.point(finding.vertices[i])); });
+  if (finding.point)
+    text += fmt::format("{}at ({:.9g}, {:.9g}, {:.9g})", text.empty() ? "" : " ", finding.point->x(),
+                        finding.point->y(), finding.point->z());
+  return text;
+}
+
+}  // namespace
+
+std::string finding_text(const Finding& finding, const Numbering& numbering) {
+  const std::string where = place(finding, numbering);
+  std::string text = fmt::format("{}{}{}\n", where, where.empty() ? "" : ": ", finding.what);
+  for (const Consequence& c : finding.consequences)
+    text += fmt::format("  from this follows: {} {}\n", c.count, info(c.check).id);
+  return text;
+}
+
+std::string findings_text(const CheckResult& result, const Numbering& numbering, std::size_t most) {
+  std::string text;
+  const std::size_t here = std::min(most, result.findings.size());
+  for (std::size_t i = 0; i < here; ++i) {
+    const std::string lines = finding_text(result.findings[i], numbering);
+    for (std::size_t start = 0, end; start < lines.size(); start = end) {
+      end = lines.find('\n', start) + 1;
+      text += "  " + lines.substr(start, end - start);
+    }
+  }
+  if (result.count > static_cast<std::int64_t>(here))
+    text += fmt::format("  ... {} more\n", result.count - static_cast<std::int64_t>(here));
+  return text;
+}
+
+std::string check_text(const CheckResult& result, const Numbering& numbering, std::size_t most) {
+  std::string text =
+      fmt::format("{} {}", result.verdict == Verdict::fail ? "FAIL" : "warning", info(result.check).id);
+  if (result.count > 0) text += fmt::format(": {}", result.count);
+  if (result.consequences > 0)
+    text += fmt::format(
+        "{} {} of what is found above", result.count > 0 ? ", and" : ":",
+        result.consequences == 1 ? "1 consequence" : fmt::format("{} consequences", result.consequences));
+  return text + "\n" + findings_text(result, numbering, most);
+}
+
+std::string verdict_text(const Report& report) {
+  std::string text = sound(report) ? "sound" : "DEFECTIVE";
+  if (!report.certificate) return text + ": no certificate, a check that it needs was skipped";
+  return text + (*report.certificate ? ": certified, the tetrahedra are a valid triangulation of a solid"
+                                     : ": no certificate");
+}
+
+std::string failure_text(const Report& report, const Numbering& numbering, std::size_t most) {
+  std::string text = verdict_text(report) + "\n";
+  for (const CheckResult& result : report.checks) {
+    if (result.verdict != Verdict::fail) continue;
+    text += check_text(result, numbering, most);
+    most -= std::min(most, result.findings.size());
+  }
+  return text;
+}
+
+}  // namespace tetproof::verify
