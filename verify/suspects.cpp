@@ -16,32 +16,35 @@ constexpr Set set(Check check, More... more) {
   return Set{1} << static_cast<int>(check) | set(more...);
 }
 
-constexpr Set dropped = set(Check::index_range, Check::finite_coordinates, Check::repeated_vertex);
+constexpr Set unknown = set(Check::index_range, Check::repeated_vertex);  // some of its vertices are
+constexpr Set dropped = unknown | set(Check::finite_coordinates);
 constexpr Set unmatched = set(Check::face_shared_thrice, Check::face_orientation);
-constexpr Set misplaced = set(Check::duplicate_tet, Check::inverted, Check::flat);
+constexpr Set turned = set(Check::inverted, Check::flat);
+constexpr Set misplaced = turned | set(Check::duplicate_tet);
 
-// What can cause a finding of a check, if they share a tetrahedron, and if they share a vertex.
+// What can cause a finding of a check: if they share a tetrahedron, two vertices, or one.
 struct Causes {
-  Set by_tet = 0, by_vertex = 0;
+  Set by_tet = 0, by_edge = 0, by_vertex = 0;
 };
 constexpr Causes causes(Check check) {
   switch (check) {
     case Check::inverted:
     case Check::flat:
-      return {set(Check::duplicate_tet), 0};
     case Check::face_shared_thrice:
-      return {set(Check::duplicate_tet), 0};
+      return {set(Check::duplicate_tet), 0, 0};
     case Check::face_orientation:
-      return {misplaced, 0};
-    case Check::cavity:
-      return {0, dropped | misplaced | unmatched};
+      return {misplaced, 0, 0};
+    case Check::cavity:  // what is dropped leaves one; what is wound the wrong way looks like one
+      return {misplaced | unmatched, dropped | misplaced | unmatched, unknown};
     case Check::boundary_nonmanifold_edge:
+      return {0, dropped | misplaced | unmatched | set(Check::cavity), unknown};
     case Check::boundary_nonmanifold_vertex:
-      return {0, dropped | misplaced | unmatched | set(Check::cavity)};
-    case Check::boundary_self_intersection:
-      return {0, dropped | misplaced | unmatched};
+      return {0, 0, dropped | misplaced | unmatched | set(Check::cavity)};
+    case Check::boundary_self_intersection:  // a vertex was moved; nothing meets because a tetrahedron is
+                                             // missing
+      return {misplaced | unmatched, 0, turned};
     case Check::overlap:
-      return {0, dropped | misplaced | unmatched | set(Check::boundary_self_intersection)};
+      return {misplaced | unmatched, 0, set(Check::boundary_self_intersection)};
     default:
       return {};
   }
@@ -68,15 +71,28 @@ class Roots {
   // The number of the earliest finding that can have caused this one, or none.
   std::uint32_t of(const Finding& finding, const Causes& allowed) const {
     std::uint32_t best = none;
-    const auto consider = [&](const std::vector<std::uint32_t>& at, Index i, Set checks) {
-      if (at.empty() || at[i] >= best) return;
-      if (checks >> static_cast<int>(roots_[at[i]].check) & 1) best = at[i];
+    const auto consider = [&](std::uint32_t root, Set checks) {
+      if (root < best && (checks >> static_cast<int>(roots_[root].check) & 1) != 0) best = root;
     };
-    for (const Index t : finding.tets) consider(at_tet_, t, allowed.by_tet);
-    for_each_vertex(finding, [&](Index v) {
-      consider(at_vertex_, v, allowed.by_vertex);
-      consider(cavity_at_vertex_, v, allowed.by_vertex);
-    });
+    const auto at = [](const std::vector<std::uint32_t>& roots, Index i) {
+      return roots.empty() ? none : roots[static_cast<std::size_t>(i)];
+    };
+    for (const Index t : finding.tets) consider(at(at_tet_, t), allowed.by_tet);
+    if (allowed.by_vertex != 0)
+      for_each_vertex(finding, [&](Index v) {
+        consider(at(at_vertex_, v), allowed.by_vertex);
+        consider(at(cavity_at_vertex_, v), allowed.by_vertex);
+      });
+    if (allowed.by_edge != 0) {
+      const auto edge = [&](Index a, Index b) {
+        if (!in_range(a) || !in_range(b)) return;
+        for (const auto* roots : {&at_vertex_, &cavity_at_vertex_})
+          if (at(*roots, a) == at(*roots, b)) consider(at(*roots, a), allowed.by_edge);
+      };
+      if (finding.vertices.size() == 2) edge(finding.vertices[0], finding.vertices[1]);
+      if (finding.vertices.empty())
+        for (const auto& [a, b, c] : finding.faces) edge(a, b), edge(b, c), edge(c, a);
+    }
     return best;
   }
 
@@ -85,30 +101,39 @@ class Roots {
     return static_cast<std::uint32_t>(roots_.size() - 1);
   }
 
-  // What touches this finding from now on may follow from that root.
+  // What touches a root from now on may follow from it.
   void mark(const Finding& finding, std::uint32_t root) {
-    const auto claim = [&](std::vector<std::uint32_t>& at, std::size_t size, Index i) {
-      if (at.empty()) at.assign(size, none);
-      if (at[i] == none) at[i] = root;
-    };
     const bool cavity = roots_[root].check == Check::cavity;
     if (!cavity)
-      for (const Index t : finding.tets) claim(at_tet_, mesh_.tets.size(), t);
-    for_each_vertex(finding,
-                    [&](Index v) { claim(cavity ? cavity_at_vertex_ : at_vertex_, mesh_.points.size(), v); });
+      for (const Index t : finding.tets) claim(at_tet_, mesh_.tets.size(), t, root);
+    for_each_vertex(finding, [&](Index v) {
+      claim(cavity ? cavity_at_vertex_ : at_vertex_, mesh_.points.size(), v, root);
+    });
+  }
+  // And what touches the faces of a finding that follows from it; of their tetrahedra, some may be innocent.
+  void mark_consequence(const Finding& finding, std::uint32_t root) {
+    for (const auto& face : finding.faces)
+      for (const Index v : face)
+        if (in_range(v)) claim(at_vertex_, mesh_.points.size(), v, root);
   }
 
  private:
+  static void claim(std::vector<std::uint32_t>& at, std::size_t size, Index i, std::uint32_t root) {
+    if (at.empty()) at.assign(size, none);
+    if (at[static_cast<std::size_t>(i)] == none) at[static_cast<std::size_t>(i)] = root;
+  }
+  bool in_range(Index v) const { return v >= 0 && v < static_cast<Index>(mesh_.points.size()); }
+
   template <class Visit>
   void for_each_vertex(const Finding& finding, const Visit& visit) const {
-    const auto in_range = [&](Index v) {
-      if (v >= 0 && v < static_cast<Index>(mesh_.points.size())) visit(v);
+    const auto known = [&](Index v) {
+      if (in_range(v)) visit(v);
     };
-    for (const Index v : finding.vertices) in_range(v);
+    for (const Index v : finding.vertices) known(v);
     for (const auto& face : finding.faces)
-      for (const Index v : face) in_range(v);
+      for (const Index v : face) known(v);
     for (const Index t : finding.tets)
-      for (const Index v : mesh_.tets[t]) in_range(v);
+      for (const Index v : mesh_.tets[t]) known(v);
   }
 
   const TetMesh& mesh_;
@@ -149,7 +174,7 @@ void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report
       const bool follows = root != Roots::none;
       if (follows) {
         ++result.consequences;
-        roots.mark(finding, root);
+        roots.mark_consequence(finding, root);
         auto& findings = report.checks[static_cast<std::size_t>(roots[root].check)].findings;
         if (roots[root].finding < findings.size())
           add_consequence(findings[roots[root].finding], result.check);

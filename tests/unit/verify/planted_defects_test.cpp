@@ -236,6 +236,41 @@ TEST(PlantedDefects, ConsequencesStandUnderTheirRoot) {
   EXPECT_EQ(report[Check::face_orientation].verdict, Verdict::fail);
 }
 
+// What only touches a broken tetrahedron in a vertex does not follow from it.
+TEST(PlantedDefects, TwoThatShareAVertexStandSideBySide) {
+  const TetMesh sound = lattice_mesh({4, 4, 4});
+  const auto at = std::find(sound.points.begin(), sound.points.end(), Eigen::Vector3d(2, 2, 2));
+  const auto v = static_cast<Index>(at - sound.points.begin());
+  std::vector<Index> around;
+  for (std::size_t t = 0; t < sound.tets.size(); ++t)
+    if (std::count(sound.tets[t].begin(), sound.tets[t].end(), v)) around.push_back(static_cast<Index>(t));
+  const auto& wrong = sound.tets[around[0]];
+  const auto other = std::find_if(around.begin(), around.end(), [&](Index t) {
+    return std::count_if(sound.tets[t].begin(), sound.tets[t].end(),
+                         [&](Index w) { return std::count(wrong.begin(), wrong.end(), w); }) == 1;
+  });
+  ASSERT_NE(other, around.end());
+  TetMesh turned = sound;
+  std::swap(turned.tets[around[0]][0], turned.tets[around[0]][1]);
+
+  TetMesh missing = turned;
+  missing.tets.erase(missing.tets.begin() + *other);
+  EXPECT_EQ(roots(verify::verify(missing)), (Ids{"inverted", "cavity"}));
+
+  // A small one of its own inside that tetrahedron, from the common vertex.
+  TetMesh foreign = turned;
+  std::array<Index, 4> small = sound.tets[*other];
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Index w : small) centre += sound.points[w] / 4;
+  for (Index& w : small) {
+    if (w == v) continue;
+    foreign.points.push_back(sound.points[w] / 4 + sound.points[v] / 4 + centre / 2);
+    w = static_cast<Index>(foreign.points.size() - 1);
+  }
+  foreign.tets.push_back(small);
+  EXPECT_EQ(roots(verify::verify(foreign)), (Ids{"inverted", "overlap"}));
+}
+
 TEST(PlantedDefects, TwoOnOneSideOfAFace) {
   // Two positive tetrahedra with the same apex side: their common face is induced twice in the same
   // direction.
