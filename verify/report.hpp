@@ -154,6 +154,9 @@ bool sound(const Report& report);
 std::string report_text(const Report& report, const Numbering& numbering = {});
 /// The keys are a contract: `--json` of tetproof-verify.
 std::string report_json(const Report& report, const Numbering& numbering = {});
+/// JUnit XML for CI systems: `mesh`, a test suite of this name; each check, a test case that may fail or be
+/// skipped; warnings and what is undecided in its system-out. What XML cannot hold of the name is replaced.
+std::string report_junit(const Report& report, const std::string& mesh, const Numbering& numbering = {});
 /// The table of --list-checks.
 std::string list_checks();
 

@@ -29,10 +29,11 @@ constexpr const char* examples =
   tetproof-verify grid.1.ele bunny.off            and does it fill the surface?
   tetproof-verify air.msh car.stl --region outside
   tetproof-verify tetgen.1.node part.stl --fidelity 0 --json -
+  tetproof-verify grid.msh --junit grid.xml       for a CI system
 )";
 
 struct Arguments {
-  std::string mesh, surface, region, defects;
+  std::string mesh, surface, region, defects, junit;
   verify::Options options;
   bool list_checks = false, list_surfaces = false;
 };
@@ -93,7 +94,10 @@ int work(const Arguments& given, const program::Common& common) {
   // Measuring costs half as much as the proof; who wants the numbers reads the JSON.
   arguments.options.quality = !common.json.empty();
 
+  if (common.json == "-" && arguments.junit == "-")
+    throw InputError("--json - and --junit -: only one of them fits on standard output");
   if (!arguments.defects.empty()) check_creatable(arguments.defects);
+  if (!arguments.junit.empty() && arguments.junit != "-") check_creatable(arguments.junit);
   const auto start = std::chrono::steady_clock::now();
   Loaded loaded = load(arguments.mesh);
   arguments.options.regions = std::move(loaded.regions);
@@ -105,7 +109,10 @@ int work(const Arguments& given, const program::Common& common) {
   if (!arguments.defects.empty())
     verify::write_defects(arguments.defects, loaded.mesh, loaded.numbering, report);
   if (!common.json.empty()) program::write_text(common.json, verify::report_json(report, loaded.numbering));
-  if (common.json != "-")
+  if (!arguments.junit.empty())
+    program::write_text(arguments.junit,
+                        verify::report_junit(report, arguments.mesh, loaded.numbering));
+  if (common.json != "-" && arguments.junit != "-")
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
   return verify::sound(report) ? program::sound : program::wrong;
 }
@@ -158,6 +165,10 @@ int main(int argc, char** argv) {
                        "write the broken tetrahedra with one ring around them, a cell array named by id for "
                        "each check that found any")
             ->type_name("FILE.vtu")
+            ->always_capture_default(false);
+        app.add_option("--junit", arguments->junit,
+                       "write the verdict as JUnit XML, a test case for each check; - is standard output")
+            ->type_name("FILE.xml")
             ->always_capture_default(false);
         app.add_flag("--timings", options.timings, "seconds per phase, in text and JSON");
         return [arguments, &common] { return work(*arguments, common); };
