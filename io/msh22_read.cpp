@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "io/element_types.hpp"
+#include "io/msh22_plain.hpp"
 #include "io/msh_sections.hpp"
+#include "io/plain_lines.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -23,6 +25,7 @@ class ElementReader {
 
   // A line: tag, type, number of tags, tags, nodes.
   void read_text(std::int64_t count) {
+    if (auto plain = read_plain_elements22(in_, static_cast<std::size_t>(count), index_)) return take(*plain);
     document_.connectivity.reserve(document_.connectivity.size() + 2 * count);
     for (std::int64_t e = 0; e < count; ++e) {
       const std::int64_t tag = in_.integer("the tag of an element");
@@ -59,6 +62,32 @@ class ElementReader {
   }
 
  private:
+  void take(PlainElements22& read) {
+    std::size_t nodes = document_.connectivity.size();
+    for (const auto& piece : read.pieces) nodes += piece.nodes.size();
+    document_.connectivity.reserve(nodes);
+    for (auto& piece : read.pieces) {
+      const Index* node = piece.nodes.data();
+      const std::int64_t* tag = piece.tags.data();
+      for (const auto& run : piece.runs) {
+        tags_read_ = run.tags;
+        use_element_tags();
+        ElementBlock& block = block_of({.type = run.type->type,
+                                        .dim = run.type->dim,
+                                        .entity = entity_,
+                                        .groups = group_ != 0 ? sets_({group_}) : sets_({}),
+                                        .partitions = partitions_,
+                                        .nodes_each = run.type->nodes});
+        for (std::size_t e = 0; e < run.count; ++e) tags_.add(block.first + block.count++, *tag++);
+        const Index* const end = node + run.count * static_cast<std::size_t>(run.type->nodes);
+        document_.connectivity.insert(document_.connectivity.end(), node, end);
+        node = end;
+      }
+      piece = {};  // what is taken needs no second place
+    }
+    in_.go_to(read.behind);
+  }
+
   void set_type(std::int64_t number) {
     if (number == number_) return;
     number_ = number;
@@ -73,8 +102,13 @@ class ElementReader {
     tags_read_.resize(count);
     for (std::int64_t& tag : tags_read_)
       tag = in_.integer("an element's physical, elementary or partition tag");
+    use_element_tags();
+  }
+
+  void use_element_tags() {
     if (tags_read_ == last_tags_) return;
     last_tags_ = tags_read_;
+    const auto count = static_cast<std::int64_t>(tags_read_.size());
     group_ = count > 0 ? tags_read_[0] : 0;
     entity_ = count > 1 ? tags_read_[1] : 0;
     partitions_ = 0;
@@ -119,22 +153,27 @@ class ElementReader {
   void put_waiting() {
     if (!waiting_.any) return;
     waiting_.any = false;
-    const int each = static_cast<int>(waiting_.nodes.size());
-    const std::int32_t groups = sets_(waiting_.groups);
-    std::vector<ElementBlock>& blocks = document_.blocks;
-    if (blocks.empty() || blocks.back().type != waiting_.number || blocks.back().nodes_each != each ||
-        blocks.back().entity != waiting_.entity || blocks.back().partitions != waiting_.partitions ||
-        blocks.back().groups != groups)
-      blocks.push_back({.type = static_cast<int>(waiting_.number),
-                        .dim = waiting_.type ? waiting_.type->dim : 3,
-                        .entity = waiting_.entity,
-                        .groups = groups,
-                        .partitions = waiting_.partitions,
-                        .nodes_each = each,
-                        .first = document_.elements(),
-                        .nodes = document_.connectivity.size()});
-    tags_.add(blocks.back().first + blocks.back().count++, waiting_.tag);
+    ElementBlock& block = block_of({.type = static_cast<int>(waiting_.number),
+                                    .dim = waiting_.type ? waiting_.type->dim : 3,
+                                    .entity = waiting_.entity,
+                                    .groups = sets_(waiting_.groups),
+                                    .partitions = waiting_.partitions,
+                                    .nodes_each = static_cast<std::int32_t>(waiting_.nodes.size())});
+    tags_.add(block.first + block.count++, waiting_.tag);
     document_.connectivity.insert(document_.connectivity.end(), waiting_.nodes.begin(), waiting_.nodes.end());
+  }
+
+  // The last block if it is like this one, or else a new one.
+  ElementBlock& block_of(ElementBlock like) {
+    std::vector<ElementBlock>& blocks = document_.blocks;
+    if (blocks.empty() || blocks.back().type != like.type || blocks.back().nodes_each != like.nodes_each ||
+        blocks.back().entity != like.entity || blocks.back().partitions != like.partitions ||
+        blocks.back().groups != like.groups) {
+      like.first = document_.elements();
+      like.nodes = document_.connectivity.size();
+      blocks.push_back(like);
+    }
+    return blocks.back();
   }
 
   struct Waiting {
@@ -162,11 +201,32 @@ class ElementReader {
   Waiting waiting_;
 };
 
+// A long run of plain lines; false where this is none, and nothing was read.
+bool read_plain_nodes(Numbers& in, std::size_t count, Document& document, Tags& tags) {
+  if (in.binary() || count < least_plain_lines) return false;
+  in.skip_blanks();
+  const std::size_t first = document.points.size();
+  std::vector<std::int64_t> read(count);
+  document.points.resize(first + count);
+  const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
+    Eigen::Vector3d& p = document.points[first + i];
+    return line.integer(read[i]) && line.real(p.x()) && line.real(p.y()) && line.real(p.z());
+  });
+  if (behind) {
+    tags.add(first, read);
+    in.go_to(*behind);
+  } else {
+    document.points.resize(first);
+  }
+  return behind.has_value();
+}
+
 }  // namespace
 
 void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& document) {
   Tags tags(document.node_tags, document.first_node);
   check_node_count(in, document.points.size() + count);
+  if (!parametric && read_plain_nodes(in, static_cast<std::size_t>(count), document, tags)) return;
   document.points.reserve(document.points.size() + count);
   for (std::int64_t i = 0; i < count; ++i) {
     const std::size_t position = document.points.size();

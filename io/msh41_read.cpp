@@ -7,6 +7,7 @@
 
 #include "io/element_types.hpp"
 #include "io/msh_sections.hpp"
+#include "io/plain_lines.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -51,11 +52,64 @@ void read_all_entities(Numbers& in, bool partitioned, Document& document, TagSet
   }
 }
 
+// Long runs of plain lines; false where these are none, and nothing was read.
+bool read_plain_tags(Numbers& in, std::size_t count, std::vector<std::int64_t>& tags) {
+  if (in.binary() || count < least_plain_lines) return false;
+  in.skip_blanks();
+  tags.resize(count);
+  const auto behind = read_plain_lines(in.text(), in.offset(), count,
+                                       [&](PlainLine& line, std::size_t i) { return line.integer(tags[i]); });
+  if (behind) in.go_to(*behind);
+  return behind.has_value();
+}
+
+bool read_plain_points(Numbers& in, const NodeBlock& block, Document& document) {
+  if (in.binary() || block.count < least_plain_lines) return false;
+  in.skip_blanks();
+  document.points.resize(block.first + block.count);
+  const auto behind =
+      read_plain_lines(in.text(), in.offset(), block.count, [&](PlainLine& line, std::size_t i) {
+        Eigen::Vector3d& p = document.points[block.first + i];
+        bool plain = line.real(p.x()) && line.real(p.y()) && line.real(p.z());
+        double* parameter = document.parameters.data() + block.parameters + i * block.parameters_each;
+        for (int k = 0; k < block.parameters_each && plain; ++k) plain = line.real(parameter[k]);
+        return plain;
+      });
+  if (behind)
+    in.go_to(*behind);
+  else
+    document.points.resize(block.first);
+  return behind.has_value();
+}
+
+bool read_plain_block(Numbers& in, std::size_t count, int each, Index* nodes, const NodeIndex& index,
+                      std::vector<std::int64_t>& tags) {
+  if (in.binary() || count < least_plain_lines) return false;
+  in.skip_blanks();
+  tags.resize(count);
+  const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
+    if (!line.integer(tags[i])) return false;
+    for (Index* node = nodes + i * each; node < nodes + (i + 1) * each; ++node) {
+      std::int64_t tag;
+      if (!line.integer(tag)) return false;
+      *node = index.known(tag);
+      if (*node < 0) return false;
+    }
+    return true;
+  });
+  if (behind) in.go_to(*behind);
+  return behind.has_value();
+}
+
 // Elements of `each` nodes; `document.blocks.back()` is theirs.
 void read_block(Numbers& in, std::size_t count, int each, Document& document, NodeIndex& index, Tags& tags) {
   const std::size_t first = document.blocks.back().first;
   const std::size_t start = append(document.connectivity, count * each);
   Index* node = document.connectivity.data() + start;
+  if (std::vector<std::int64_t> read; read_plain_block(in, count, each, node, index, read)) {
+    tags.add(first, read);
+    return;
+  }
   Numbers here = in;  // a copy that the compiler can keep in registers
   for (std::size_t e = 0; e < count; ++e) {
     tags.add(first + e, here.size("the tag of an element"));
@@ -107,10 +161,14 @@ void read_nodes41(Numbers& in, Document& document) {
     if (block.count > before + total - block.first)
       in.fail(fmt::format("expected at most {} nodes in a block, as $Nodes says, found {}",
                           before + total - block.first, block.count));
-    for (std::size_t i = 0; i < block.count; ++i) tags.add(block.first + i, in.size("the tag of a node"));
+    if (std::vector<std::int64_t> read; read_plain_tags(in, block.count, read))
+      tags.add(block.first, read);
+    else
+      for (std::size_t i = 0; i < block.count; ++i) tags.add(block.first + i, in.size("the tag of a node"));
     block.parameters = append(document.parameters, block.count * block.parameters_each);
     double* parameter = document.parameters.data() + block.parameters;
-    for (std::size_t i = 0; i < block.count; ++i) {
+    const bool plain = read_plain_points(in, block, document);
+    for (std::size_t i = 0; i < block.count && !plain; ++i) {
       const double x = in.real("a coordinate"), y = in.real("a coordinate"), z = in.real("a coordinate");
       document.points.emplace_back(x, y, z);
       for (int k = 0; k < block.parameters_each; ++k) *parameter++ = in.real("a parametric coordinate");

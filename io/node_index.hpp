@@ -25,6 +25,10 @@ class Tags {
       spell_out(position, tag);
   }
 
+  void add(std::size_t position, const std::vector<std::int64_t>& tags) {
+    for (const std::int64_t tag : tags) add(position++, tag);
+  }
+
  private:
   void spell_out(std::size_t position, std::int64_t tag);
 
@@ -45,6 +49,14 @@ class NodeIndex {
     if (consecutive_) return offset < nodes_ ? static_cast<Index>(offset) : unknown(tag);
     if (offset < dense_.size()) return dense_[offset] >= 0 ? dense_[offset] : unknown(tag);
     return find(tag);
+  }
+
+  /// The same for several threads at once; negative where no node has the tag, which is not entered.
+  Index known(std::int64_t tag) const {
+    const std::uint64_t offset = static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(least_);
+    if (consecutive_) return offset < nodes_ ? static_cast<Index>(offset) : -1;
+    if (offset < dense_.size()) return dense_[offset];
+    return table_.empty() ? -1 : table_[slot(tag)];
   }
 
  private:

@@ -19,6 +19,8 @@ class Numbers {
       : path_(&path), bytes_(bytes), at_(offset), binary_(binary), swapped_(swapped) {}
 
   std::size_t offset() const { return at_; }
+  std::string_view text() const { return bytes_; }
+  void go_to(std::size_t offset) { at_ = offset; }
   std::size_t remaining() const { return bytes_.size() - at_; }
   bool binary() const { return binary_; }
 

@@ -11,6 +11,7 @@
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/node_index.hpp"
+#include "io/plain_lines.hpp"
 #include "io/tetgen.hpp"
 
 namespace tetproof::io {
@@ -71,6 +72,13 @@ class Records {
     const std::string_view text = word();
     if (!parse_real(text, value)) fail(expected, text);
     return value;
+  }
+
+  // Where the line after the current one begins.
+  std::size_t next_line() {
+    skip_line();
+    started_ = false;
+    return static_cast<std::size_t>(at_ - file_.bytes().data());
   }
 
   [[noreturn]] void fail(std::string_view message) const { here().fail_in_line(message); }
@@ -151,6 +159,31 @@ Values attributes(const Records& in, std::int64_t items, std::int64_t each) {
   return values;
 }
 
+// Nodes whose every line is plain; false where one is not.
+bool read_plain_nodes(const InputFile& file, std::size_t offset, bool marked, Document& document,
+                      Values& values, Values& markers) {
+  const std::size_t count = document.points.size();
+  const auto each = static_cast<std::size_t>(values.components);
+  if (count < least_plain_lines) return false;
+  std::int64_t first = -1;
+  if (PlainLine line(file.bytes().data() + offset, file.bytes().data() + file.bytes().size());
+      !line.integer(first) || first < 0 || first > 1)
+    return false;
+  document.first_node = first;
+  return read_plain_lines(file.bytes(), offset, count,
+                          [&](PlainLine& line, std::size_t i) {
+                            std::int64_t number;
+                            Eigen::Vector3d& p = document.points[i];
+                            bool plain = line.integer(number) &&
+                                         number == first + static_cast<std::int64_t>(i) && line.real(p.x()) &&
+                                         line.real(p.y()) && line.real(p.z());
+                            for (std::size_t k = 0; k < each && plain; ++k)
+                              plain = line.real(values.reals[i * each + k]);
+                            return plain && (!marked || line.integer(markers.integers[i]));
+                          })
+      .has_value();
+}
+
 void read_nodes(const InputFile& file, Document& document) {
   Records in(file, document.warnings);
   if (!in.next()) in.fail("expected the number of nodes, found the end of the file");
@@ -167,8 +200,11 @@ void read_nodes(const InputFile& file, Document& document) {
   Values values = attributes(in, count, attributes_each);
   Values markers{.name = "markers", .components = 1, .reals = {}, .integers = {}};
   if (marked) markers.integers.assign(count, 0);
-  document.points.reserve(count);
-  for (std::int64_t i = 0; i < count; ++i) {
+  document.points.resize(count);
+  const std::size_t start = in.next_line();
+  const bool plain = read_plain_nodes(file, start, marked, document, values, markers);
+  if (!plain) document.points.clear();
+  for (std::int64_t i = 0; i < count && !plain; ++i) {
     if (!in.next()) in.fail(fmt::format("expected {} nodes, found {} and the end of the file", count, i));
     const std::int64_t number = in.integer("the number of a node");
     if (i == 0) {
@@ -189,6 +225,30 @@ void read_nodes(const InputFile& file, Document& document) {
   if (marked) document.node_values.push_back(std::move(markers));
 }
 
+// Tetrahedra whose every line is plain; false where one is not.
+bool read_plain_elements(const InputFile& file, std::size_t offset, std::int64_t each, std::size_t count,
+                         const NodeIndex& index, Index* nodes, Values& values, Tags& tags) {
+  if (count < least_plain_lines) return false;
+  const auto attributes_each = static_cast<std::size_t>(values.components);
+  std::vector<std::int64_t> numbers(count);
+  const auto behind = read_plain_lines(file.bytes(), offset, count, [&](PlainLine& line, std::size_t i) {
+    if (!line.integer(numbers[i])) return false;
+    Index* const mine = nodes + static_cast<std::int64_t>(i) * each;
+    for (std::int64_t k = 0; k < each; ++k) {
+      std::int64_t node;
+      if (!line.integer(node)) return false;
+      Index& place = mine[each == 10 ? tetgen_order[k] : k];
+      place = index.known(node);
+      if (place < 0) return false;
+    }
+    for (std::size_t k = 0; k < attributes_each; ++k)
+      if (!line.real(values.reals[i * attributes_each + k])) return false;
+    return true;
+  });
+  if (behind) tags.add(0, numbers);
+  return behind.has_value();
+}
+
 void read_elements(const InputFile& file, Document& document) {
   Records in(file, document.warnings);
   if (!in.next()) in.fail("expected the number of tetrahedra, found the end of the file");
@@ -204,7 +264,9 @@ void read_elements(const InputFile& file, Document& document) {
   document.first_element = document.first_node;
   document.connectivity.resize(static_cast<std::size_t>(count) * each);
   Index* nodes = document.connectivity.data();
-  for (std::int64_t i = 0; i < count; ++i, nodes += each) {
+  const bool plain = read_plain_elements(file, in.next_line(), each, static_cast<std::size_t>(count), index,
+                                         nodes, values, tags);
+  for (std::int64_t i = 0; i < count && !plain; ++i, nodes += each) {
     if (!in.next())
       in.fail(fmt::format("expected {} tetrahedra, found {} and the end of the file", count, i));
     tags.add(i, in.integer("the number of a tetrahedron"));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elements of a text .msh 2.2 file where every line is as usual, read by several threads.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "io/element_types.hpp"
+#include "io/node_index.hpp"
+#include "io/numbers.hpp"
+
+namespace tetproof::io {
+
+struct PlainElements22 {
+  /// Elements one after the other that are alike in type and tags.
+  struct Run {
+    const ElementType* type = nullptr;
+    std::vector<std::int64_t> tags{};
+    std::size_t count = 0;
+  };
+  struct Piece {
+    std::vector<Run> runs{};
+    std::vector<std::int64_t> tags{};  ///< of the elements
+    std::vector<Index> nodes{};
+  };
+  std::vector<Piece> pieces{};
+  std::size_t behind = 0;  ///< where in the text the last line ends
+};
+
+/// None where a line is unusual: an unknown type, a node that does not exist, more than a few tags, an
+/// element that repeats the one before it (as those in several groups do).
+std::optional<PlainElements22> read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index);
+
+}  // namespace tetproof::io
