@@ -33,6 +33,12 @@ class Interface {
     return {first, last};
   }
 
+  // Whether the tetrahedron of face g reaches to the outer side of face f, exactly.
+  bool beyond(Index f, Index g) const {
+    const FaceId face = boundary_.faces[static_cast<std::size_t>(g)];
+    return side(f, mesh_.tets[face >> 2][face & 3]) == CGAL::POSITIVE;
+  }
+
   // Each face's tetrahedron lies on the outer side of the other face.
   bool opposite(Index f, Index g) const { return beyond(f, g) && beyond(g, f); }
 
@@ -88,12 +94,6 @@ class Interface {
   }
 
  private:
-  // Whether the tetrahedron of face g lies on the outer side of face f, exactly.
-  bool beyond(Index f, Index g) const {
-    const FaceId face = boundary_.faces[static_cast<std::size_t>(g)];
-    return side(f, mesh_.tets[face >> 2][face & 3]) == CGAL::POSITIVE;
-  }
-
   CGAL::Orientation side(Index f, Index v) const {
     const auto point = [&](Index w) {
       const Eigen::Vector3d& p = mesh_.points[static_cast<std::size_t>(w)];
@@ -209,6 +209,12 @@ std::optional<CrossedDiagonals> crossed(const Interface& interface, const FacesA
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() != 4 || !interface.closes(faces)) return std::nullopt;
+  // Not so the outside of a tetrahedron that is cut into four and lies inside the mesh: nothing of it reaches
+  // beyond it.
+  if (std::none_of(faces.begin(), faces.end(), [&](Index f) {
+        return std::any_of(faces.begin(), faces.end(), [&](Index g) { return interface.beyond(f, g); });
+      }))
+    return std::nullopt;
   // Where one of the four lies on a face of the others it hangs.
   for (const Index f : faces)
     for (const Contact& c : interface.nodes_on(f))

@@ -429,5 +429,22 @@ TEST(Conformity, SoundMeshesHaveNone) {
   }
 }
 
+// The outside of a tetrahedron cut into four looks like crossed diagonals by its numbers alone.
+TEST(CrossedDiagonal, ATetrahedronCutIntoFourInsideAnotherIsAnOverlap) {
+  const TetMesh mesh{{{0, 0, 0},
+                      {4, 0, 0},
+                      {0, 4, 0},
+                      {0, 0, 4},
+                      {0.5, 0.5, 0.5},
+                      {1.5, 0.5, 0.5},
+                      {0.5, 1.5, 0.5},
+                      {0.5, 0.5, 1.5},
+                      {0.75, 0.75, 0.75}},
+                     {{0, 1, 2, 3}, {8, 5, 6, 7}, {4, 8, 6, 7}, {4, 5, 8, 7}, {4, 5, 6, 8}}};
+  const Report report = verify::verify(mesh);
+  EXPECT_EQ(report[Check::crossed_diagonal].count, 0) << report_text(report);
+  EXPECT_EQ(report[Check::overlap].count, 1) << report_text(report);
+}
+
 }  // namespace
 }  // namespace tetproof::test
