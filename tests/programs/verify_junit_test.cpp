@@ -18,20 +18,26 @@ using ::testing::StartsWith;
 constexpr const char* to_json =
     "import json, sys, xml.etree.ElementTree as tree\n"
     "def shown(e): return {'tag': e.tag, 'is': e.attrib, 'text': e.text, 'in': [shown(c) for c in e]}\n"
-    "print(json.dumps(shown(tree.parse(sys.argv[1]).getroot())))\n";
+    "print(json.dumps([shown(tree.parse(file).getroot()) for file in sys.argv[1:]]))\n";
 
 class VerifyJunit : public Verify {
  protected:
-  // The only test suite of the file.
-  json suite(const std::string& file) const {
-    const Outcome parsed = run_program({"python3", "-c", to_json, files / file});
-    EXPECT_EQ(parsed.exit_code, 0) << parsed << files.read(file);
-    const json root = json::parse(parsed.out);
-    EXPECT_EQ(root["tag"], "testsuites");
-    EXPECT_EQ(root["in"].size(), 1u);
-    EXPECT_EQ(root["in"][0]["tag"], "testsuite");
-    return root["in"][0];
+  // The only test suite of each file.
+  json suites(const std::vector<std::string>& names) const {
+    std::vector<std::string> command{"python3", "-c", to_json};
+    for (const std::string& name : names) command.push_back(files / name);
+    const Outcome parsed = run_program(command);
+    EXPECT_EQ(parsed.exit_code, 0) << parsed;
+    json found = json::array();
+    for (const json& root : json::parse(parsed.out)) {
+      EXPECT_EQ(root["tag"], "testsuites");
+      EXPECT_EQ(root["in"].size(), 1u);
+      EXPECT_EQ(root["in"][0]["tag"], "testsuite");
+      found.push_back(root["in"][0]);
+    }
+    return found;
   }
+  json suite(const std::string& name) const { return suites({name})[0]; }
   static json test_case(const json& suite, const std::string& id) {
     for (const json& child : suite["in"])
       if (child["tag"] == "testcase" && child["is"]["name"] == id) return child;
@@ -103,7 +109,7 @@ TEST_F(VerifyJunit, ADefectiveMesh) {
 }
 
 TEST_F(VerifyJunit, AWarningIsNoFailure) {
-  files.write("spare.node", "9" + std::string(cube_node).substr(1) + "9 0 0 5\n");
+  files.write("spare.node", std::string("9") + (cube_node + 1) + "9 0 0 5\n");
   files.write("spare.ele", cube_ele);
   EXPECT_EQ(run({"spare.node", "--junit", files / "spare.xml", "--skip", "overlap"}).exit_code, 0);
   const json spare = suite("spare.xml");
@@ -128,13 +134,17 @@ TEST_F(VerifyJunit, HostileFileNames) {
        "overlong \xEF\xBF\xBD\xEF\xBF\xBD surrogate \xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD none "
        "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD"},
   };
+  std::vector<std::string> reports;
   for (const auto& [name, read] : names) {
     files.write(name + ".node", cube_node);
     files.write(name + ".ele", bad_ele);
-    EXPECT_EQ(run({name + ".node", "--junit", files / "hostile.xml"}).exit_code, 1);
-    const json hostile = suite("hostile.xml");
-    EXPECT_EQ(hostile["is"]["name"], files / (read + ".node"));
-    EXPECT_EQ(test_case(hostile, "inverted")["is"]["classname"], files / (read + ".node"));
+    reports.push_back(std::to_string(reports.size()) + ".xml");
+    EXPECT_EQ(run({name + ".node", "--junit", files / reports.back()}).exit_code, 1);
+  }
+  const json found = suites(reports);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(found[i]["is"]["name"], files / (names[i].second + ".node"));
+    EXPECT_EQ(test_case(found[i], "inverted")["is"]["classname"], files / (names[i].second + ".node"));
   }
 }
 

@@ -77,8 +77,8 @@ TEST_F(Verify, ADefectiveMesh) {
 TEST_F(Verify, ACrackedMesh) {
   // The first tetrahedron with four points of its own: its two inner faces are not shared.
   files.write("cracked.node",
-              std::string(cube_node).replace(0, 1, "12") + "9 -1 -1 -1\n10 1 -1 -1\n11 1 1 -1\n12 1 1 1\n");
-  files.write("cracked.ele", std::string(cube_ele).replace(6, 9, "1 9 10 11 12"));
+              std::string("12") + (cube_node + 1) + "9 -1 -1 -1\n10 1 -1 -1\n11 1 1 -1\n12 1 1 1\n");
+  files.write("cracked.ele", std::string("6 4 0\n1 9 10 11 12\n") + (cube_ele + 16));
   const json cracked = report({"cracked.node"}, 1);
   EXPECT_EQ(cracked["certificate"], false);
   EXPECT_EQ(check(cracked, "crack")["count"], 2);
