@@ -123,7 +123,9 @@ inline auto Fills(const std::filesystem::path& surface, Options options) {
 }
 /// The inside, within `tolerance` box diagonals; 0: the surface exactly.
 inline auto Fills(TriangleSurface surface, double tolerance) {
-  return Fills(std::move(surface), Options{.region = Region::inside, .fidelity = tolerance});
+  Options options;
+  options.fidelity = tolerance;
+  return Fills(std::move(surface), std::move(options));
 }
 inline auto Fills(const std::filesystem::path& surface, double tolerance) {
   return Fills(read_surface(surface.string()), tolerance);
