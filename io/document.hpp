@@ -75,7 +75,7 @@ struct Values {
 struct Section {
   std::string name;    ///< without the dollar sign
   std::string body;    ///< from after the line `$name` to `$Endname`
-  std::string format;  ///< "msh22" or "msh41"
+  std::string format;  ///< of the file: "msh1", "msh22", "msh3", "msh40" or "msh41"
   bool binary = false;
   bool swapped = false;  ///< binary numbers of the other byte order than this machine's
   bool before_nodes = false;

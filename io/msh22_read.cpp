@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of .msh 2.0 to 2.2.
+// The sections of .msh 1 to 3, but for the entities of 3.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 
 class ElementReader {
  public:
-  ElementReader(Numbers& in, bool partition_counts, Document& document, NodeIndex& index, TagSets& sets)
+  ElementReader(Numbers& in, ElementTags kind, Document& document, NodeIndex& index, TagSets& sets)
       : in_(in),
-        partition_counts_(partition_counts),
+        kind_(kind),
         document_(document),
         index_(index),
         sets_(sets),
@@ -35,7 +35,54 @@ class ElementReader {
       read_element_tags(tags);
       const int each = type_ ? type_->nodes : in_.words_in_line();
       if (each == 0) in_.fail(fmt::format("expected the nodes of an element of type {}", number_));
-      add(tag, each);
+      read_nodes(each);
+      add(tag);
+    }
+    put_waiting();
+  }
+
+  // A line: tag, type, physical and elementary tag, number of nodes, nodes.
+  void read_1(std::int64_t count) {
+    for (std::int64_t e = 0; e < count; ++e) {
+      const std::int64_t tag = in_.integer("the tag of an element");
+      set_type(in_.integer("an element type"));
+      read_element_tags(2);
+      read_nodes(read_node_count());
+      add(tag);
+    }
+    put_waiting();
+  }
+
+  // A line: tag, type, entity, how many numbers follow: nodes; then partitions, if there are more, behind
+  // their number. Of a type that is not known all are nodes.
+  void read_3(std::int64_t count) {
+    for (std::int64_t e = 0; e < count; ++e) {
+      const std::int64_t tag = in_.integer("the tag of an element");
+      set_type(in_.integer("an element type"));
+      entity_ = in_.integer("the tag of an entity");
+      const std::int64_t numbers = in_.integer("how many numbers follow");
+      in_.check_count(numbers, "how many numbers follow", in_.binary() ? 4 : 2);
+      if (numbers == 0 || (type_ && numbers < type_->nodes))
+        in_.fail(
+            fmt::format("expected the nodes of an element of type {}, found {} numbers", number_, numbers));
+      read_nodes(type_ ? type_->nodes : numbers);
+      std::vector<std::int64_t> partitions(static_cast<std::size_t>(type_ ? numbers - type_->nodes : 0));
+      for (std::int64_t& partition : partitions)
+        partition = in_.integer("a partition, or how many there are");
+      if (!partitions.empty()) {
+        if (partitions[0] == static_cast<std::int64_t>(partitions.size()) - 1) {
+          partitions.erase(partitions.begin());
+        } else {  // the parent of a sub-element, for which there is no room
+          partitions.clear();
+          if (++ignored_ == 1)
+            document_.warnings.push_back(
+                fmt::format("{}: element {} has numbers behind its nodes that are no partitions: they are "
+                            "ignored (the first such)",
+                            document_.path, tag));
+        }
+      }
+      partitions_ = sets_(partitions);
+      add(tag);
     }
     put_waiting();
   }
@@ -54,7 +101,8 @@ class ElementReader {
       for (std::int64_t e = 0; e < here; ++e) {
         const std::int64_t tag = in_.integer("the tag of an element");
         read_element_tags(tags);
-        add(tag, type_->nodes);
+        read_nodes(type_->nodes);
+        add(tag);
       }
       left -= here;
     }
@@ -97,6 +145,20 @@ class ElementReader {
       in_.fail(fmt::format("expected an element type, found {}", number));
   }
 
+  std::int64_t read_node_count() {
+    const std::int64_t each = in_.integer("the number of nodes of an element");
+    in_.check_count(each, "the number of nodes of an element", 2);
+    if (each == 0 || (type_ && each != type_->nodes))
+      in_.fail(fmt::format("expected {} nodes of an element of type {}, found {}",
+                           type_ ? std::to_string(type_->nodes) : "the", number_, each));
+    return each;
+  }
+
+  void read_nodes(std::int64_t each) {
+    nodes_.resize(static_cast<std::size_t>(each));
+    for (Index& node : nodes_) node = index_(in_.integer("the tag of a node"));
+  }
+
   // Physical, elementary, partitions: what the element belongs to.
   void read_element_tags(std::int64_t count) {
     tags_read_.resize(count);
@@ -112,8 +174,8 @@ class ElementReader {
     group_ = count > 0 ? tags_read_[0] : 0;
     entity_ = count > 1 ? tags_read_[1] : 0;
     partitions_ = 0;
-    if (count > 2 && !partition_counts_) partitions_ = sets_({tags_read_[2]});
-    if (count > 3 && partition_counts_) {
+    if (count > 2 && kind_ != ElementTags::v22) partitions_ = sets_({tags_read_[2]});
+    if (count > 3 && kind_ == ElementTags::v22) {
       const auto named = tags_read_.begin() + 3;
       partitions_ = sets_({named, named + std::clamp<std::int64_t>(tags_read_[2], 0, count - 3)});
     }
@@ -121,9 +183,7 @@ class ElementReader {
 
   // An element in several physical groups stands once for each of them: the last one again, but for its group
   // and its tag. So an element waits until the next one has been read.
-  void add(std::int64_t tag, int each) {
-    nodes_.resize(each);
-    for (Index& node : nodes_) node = index_(in_.integer("the tag of a node"));
+  void add(std::int64_t tag) {
     if (repeats_waiting()) {
       waiting_.groups.push_back(group_);
       return;
@@ -187,7 +247,7 @@ class ElementReader {
   };
 
   Numbers& in_;
-  const bool partition_counts_;
+  const ElementTags kind_;
   Document& document_;
   NodeIndex& index_;
   TagSets& sets_;
@@ -199,6 +259,7 @@ class ElementReader {
   std::int64_t group_ = 0, entity_ = 0;
   std::int32_t partitions_ = 0;
   Waiting waiting_;
+  std::size_t ignored_ = 0;
 };
 
 // A long run of plain lines; false where this is none, and nothing was read.
@@ -251,10 +312,15 @@ void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& do
   }
 }
 
-void read_elements22(Numbers& in, std::int64_t count, bool partition_counts, Document& document,
-                     NodeIndex& index, TagSets& sets) {
-  ElementReader reader(in, partition_counts, document, index, sets);
-  in.binary() ? reader.read_binary(count) : reader.read_text(count);
+void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
+                     TagSets& sets) {
+  ElementReader reader(in, tags, document, index, sets);
+  if (tags == ElementTags::v3)
+    reader.read_3(count);
+  else if (tags == ElementTags::v1)
+    reader.read_1(count);
+  else
+    in.binary() ? reader.read_binary(count) : reader.read_text(count);
 }
 
 }  // namespace tetproof::io

@@ -25,7 +25,7 @@ class Reader {
     while (!in_.at_end()) {
       const std::size_t start = in_.offset();
       const std::string_view word = in_.word();
-      if (word == "$NOD" || word == "$NOE") refuse_version("1");
+      if (document_.format.empty() && (word == "$NOD" || word == "$NOE")) document_.format = "msh1";
       if (word.size() < 2 || word[0] != '$') {
         if (!has_nodes_ || !has_elements_) in_.fail("a section ($Name)", word);
         document_.warnings.push_back(fmt::format("{}: byte {}: {} bytes after the last section are ignored",
@@ -49,28 +49,31 @@ class Reader {
 
  private:
   void section(const std::string& name) {
-    const bool new_version = document_.format == "msh41";
+    const std::string& format_name = document_.format;
+    const bool v4 = format_name == "msh41" || format_name == "msh40";
     if (name == "MeshFormat") {
       format();
     } else if (name == "PhysicalNames") {
       physical_names();
-    } else if (name == "Nodes" || (name == "ParametricNodes" && !new_version)) {
+    } else if (name == "Nodes" || (name == "ParametricNodes" && format_name == "msh22") ||
+               ((name == "NOD" || name == "NOE") && format_name == "msh1")) {
       nodes(name == "ParametricNodes");
-    } else if (name == "Elements") {
+    } else if (name == "Elements" || (name == "ELM" && format_name == "msh1")) {
       elements();
-    } else if (name == "Entities" && new_version) {
-      Numbers numbers = numbers_here();
-      read_entities41(numbers, document_, sets_);
+    } else if (name == "Entities" && (v4 || format_name == "msh3")) {
+      Numbers numbers = numbers_here(format_name == "msh3");
+      v4 ? read_entities4(numbers, format_name == "msh40", document_, sets_)
+         : read_entities3(numbers, document_, sets_);
       go_to(numbers.offset());
-    } else if (name == "PartitionedEntities" && new_version) {
+    } else if (name == "PartitionedEntities" && v4) {
       Numbers numbers = numbers_here();
-      read_partitioned_entities41(numbers, document_, sets_);
+      read_partitioned_entities4(numbers, format_name == "msh40", document_, sets_);
       go_to(numbers.offset());
     } else {
       keep(name);
       return;
     }
-    const std::string end = "$End" + name;
+    const std::string end = (name == "NOD" || name == "NOE" || name == "ELM" ? "$END" : "$End") + name;
     const std::string_view word = in_.word();
     if (word != end) in_.fail(end, word);
   }
@@ -80,9 +83,9 @@ class Reader {
     const std::string_view version = in_.word();
     double number = 0;
     if (!parse_real(version, number)) in_.fail("a version of the format", version);
-    if (number != 4.1 && !(number >= 2 && number < 3)) refuse_version(version);
-    document_.format = number == 4.1 ? "msh41" : "msh22";
-    partition_counts_ = number >= 2.2;
+    if (number != 4.1 && number != 4 && !(number >= 2 && number < 4)) refuse_version(version);
+    document_.format = number == 4.1 ? "msh41" : number == 4 ? "msh40" : number >= 3 ? "msh3" : "msh22";
+    element_tags_ = number >= 3 ? ElementTags::v3 : number >= 2.2 ? ElementTags::v22 : ElementTags::v20;
     const std::int64_t kind = in_.integer("0 for text or 1 for binary");
     if (kind != 0 && kind != 1)
       in_.fail_in_line(fmt::format("expected 0 for text or 1 for binary, found {}", kind));
@@ -104,7 +107,7 @@ class Reader {
 
   [[noreturn]] void refuse_version(std::string_view version) {
     in_.fail_in_line(
-        fmt::format("this is a .msh file of version {}; versions 2.0 to 2.2 and 4.1 are read", version));
+        fmt::format("this is a .msh file of version {}; versions 1 to 3, 4.0 and 4.1 are read", version));
   }
 
   void physical_names() {
@@ -126,32 +129,36 @@ class Reader {
     has_nodes_ = true;
     nodes_came_later_ = has_elements_;
     index_.reset();
-    if (document_.format == "msh41") {
+    if (document_.format == "msh41" || document_.format == "msh40") {
       Numbers numbers = numbers_here();
-      read_nodes41(numbers, document_);
+      read_nodes4(numbers, document_.format == "msh40", document_);
       go_to(numbers.offset());
       return;
     }
     const std::int64_t count = in_.count("the number of nodes", binary_ ? 28 : 8);
     if (binary_) in_.next_line();
     Numbers numbers = numbers_here();
-    read_nodes22(numbers, count, parametric, document_);
+    if (document_.format == "msh3")
+      read_nodes3(numbers, count, document_);
+    else
+      read_nodes22(numbers, count, parametric, document_);
     go_to(numbers.offset());
   }
 
   void elements() {
     has_elements_ = true;
     if (!index_) index_.emplace(document_);
-    if (document_.format == "msh41") {
+    if (document_.format == "msh41" || document_.format == "msh40") {
       Numbers numbers = numbers_here();
-      read_elements41(numbers, document_, *index_);
+      read_elements4(numbers, document_.format == "msh40", document_, *index_);
       go_to(numbers.offset());
       return;
     }
     const std::int64_t count = in_.count("the number of elements", 8);
     if (binary_) in_.next_line();
     Numbers numbers = numbers_here();
-    read_elements22(numbers, count, partition_counts_, document_, *index_, sets_);
+    read_elements22(numbers, count, document_.format == "msh1" ? ElementTags::v1 : element_tags_, document_,
+                    *index_, sets_);
     go_to(numbers.offset());
   }
 
@@ -179,14 +186,14 @@ class Reader {
 
   void finish() {
     if (nodes_came_later_ && !document_.unknown.empty()) find_late_nodes();
-    if (document_.format == "msh41") {
+    if (document_.format != "msh1" && document_.format != "msh22") {
       std::map<std::pair<int, std::int64_t>, const Entity*> entities;
       for (const Entity& entity : document_.entities) entities.try_emplace({entity.dim, entity.tag}, &entity);
       for (ElementBlock& block : document_.blocks) {
         const auto found = entities.find({block.dim, block.entity});
         if (found == entities.end()) continue;
         block.groups = found->second->groups;
-        block.partitions = found->second->partitions;
+        if (document_.format != "msh3") block.partitions = found->second->partitions;
       }
     }
     const std::vector<std::int64_t>& given = document_.element_tags;
@@ -208,7 +215,9 @@ class Reader {
       if (node < 0) node = index(unknown[-1 - node]);
   }
 
-  Numbers numbers_here() const { return {file_.path(), file_.bytes(), in_.offset(), binary_, swapped_}; }
+  Numbers numbers_here(bool text = false) const {
+    return {file_.path(), file_.bytes(), in_.offset(), binary_ && !text, swapped_};
+  }
   void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
 
   const InputFile& file_;
@@ -216,7 +225,8 @@ class Reader {
   Document document_;
   TagSets sets_;
   std::optional<NodeIndex> index_;
-  bool binary_ = false, swapped_ = false, partition_counts_ = true;
+  bool binary_ = false, swapped_ = false;
+  ElementTags element_tags_ = ElementTags::v22;
   bool has_nodes_ = false, has_elements_ = false, nodes_came_later_ = false;
 };
 

@@ -9,18 +9,25 @@
 
 namespace tetproof::io {
 
-// Version 4.1.
-void read_entities41(Numbers& in, Document& document, TagSets& sets);
-void read_partitioned_entities41(Numbers& in, Document& document, TagSets& sets);
-void read_nodes41(Numbers& in, Document& document);
-void read_elements41(Numbers& in, Document& document, NodeIndex& index);
+// Versions 4.0 and 4.1.
+void read_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
+void read_partitioned_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
+void read_nodes4(Numbers& in, bool v40, Document& document);
+void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index);
 
-// Versions 2.0 to 2.2, after the line with the number of nodes or elements.
+// Version 3; nodes and elements after the line with their number.
+void read_entities3(Numbers& in, Document& document, TagSets& sets);
+void read_nodes3(Numbers& in, std::int64_t count, Document& document);
+
+// Versions 1 and 2.0 to 2.2, after the line with the number of nodes.
 void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& document);
-/// `partition_counts`: as in 2.2 the third tag counts the partitions that follow; before, it was the
-/// partition.
-void read_elements22(Numbers& in, std::int64_t count, bool partition_counts, Document& document,
-                     NodeIndex& index, TagSets& sets);
+
+/// How a line tells an element's tags: versions 1; 2.0 and 2.1, whose third tag is the partition; 2.2, whose
+/// third tag counts the partitions that follow; 3, where they stand behind the nodes.
+enum class ElementTags { v1, v20, v22, v3 };
+/// After the line with the number of elements.
+void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
+                     TagSets& sets);
 
 /// Makes room for `more` numbers at the end of `numbers` and returns where they start.
 template <class T>

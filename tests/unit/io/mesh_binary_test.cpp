@@ -116,6 +116,37 @@ TEST_P(BinaryMsh, Version22WithoutLineEndsBeforeTheEnds) {  // as some writers l
             "msh22\nn 7 1 2 3\ne 1 15 0/4 g p: 7\n");
 }
 
+TEST_P(BinaryMsh, Version40) {
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n4 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Entities\n").sizes({1, 0, 0, 1});
+  bytes.ints({5}).reals({0.1, -0.0, 1, 0.1, -0.0, 1}).sizes({0});
+  bytes.ints({1}).reals({0, 0, 0, 1, 1, 1}).sizes({2}).ints({7, -8}).sizes({1}).ints({-2});
+  bytes.text("\n$EndEntities\n$Nodes\n").sizes({2, 5});
+  bytes.ints({9, 2, 1}).sizes({1}).ints({12}).reals({0.1, 0.2, 0.3, 5e-324, 0.75});
+  bytes.ints({1, 3, 0}).sizes({4}).ints({1}).reals({0, 0, 0}).ints({2}).reals({1, 0, 0});
+  bytes.ints({3}).reals({0, 1, 0}).ints({4}).reals({0, 0, 1}).text("\n$EndNodes\n$Elements\n");
+  bytes.sizes({1, 2}).ints({1, 3, 4}).sizes({2}).ints({9, 1, 2, 3, 4, 10, 1, 2, 3, 77});
+  bytes.text("\n$EndElements\n");
+  const test::TestFiles files;
+  EXPECT_EQ(test::text_of(read_document(files.write("a.msh", bytes.bytes()))),
+            "msh40\nE 0/5 0.1 -0 1 0.1 -0 1 g b\nE 3/1 0 0 0 1 1 1 g7,-8 b-2\nn 12 0.1 0.2 0.3\nn 1 0 0 0\n"
+            "n 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\nN 2/9 1: 5e-324 0.75\nN 3/1 4: \ne 9 4 3/1 g7,-8 p: 1 2 3 4\n"
+            "e 10 4 3/1 g7,-8 p: 1 2 3 ?77\n");
+}
+
+TEST_P(BinaryMsh, Version3) {
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n3 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Entities\n0 0 0 1\n2 0 1 7\n");
+  bytes.text("$EndEntities\n$Nodes\n3\n").ints({1}).reals({0, -0.0, 0.1}).ints({0});
+  bytes.ints({2}).reals({1, 0, 0}).ints({4, 1}).reals({0.5}).ints({3}).reals({0, 1, 0}).ints({0});
+  bytes.text("\n$EndNodes\n$Elements\n2\n").ints({1, 2, 9, 3, 1, 2, 3});
+  bytes.ints({2, 4, 2, 7, 1, 2, 3, 8, 2, 1, -2}).text("\n$EndElements\n");
+  const test::TestFiles files;
+  EXPECT_EQ(test::text_of(read_document(files.write("a.msh", bytes.bytes()))),
+            "msh3\nE 3/2 0 0 0 0 0 0 g7 b\nn 1 0 -0 0.1\nn 2 1 0 0\nn 3 0 1 0\nN 1/4 1: 0.5\n"
+            "e 1 2 2/9 g p: 1 2 3\ne 2 4 3/2 g7 p1,-2: 1 2 3 ?8\n");
+}
+
 INSTANTIATE_TEST_SUITE_P(ByteOrder, BinaryMsh, testing::Bool(),
                          [](const auto& test) { return test.param ? "Other" : "Ours"; });
 

@@ -36,6 +36,44 @@ const std::vector<Case> cases{
     {"Msh41Smallest",
      {{"a.msh", v41 + nodes41 + tet41}},
      "msh41\n" + n4 + "N 3/1 4: \ne 1 4 3/1 g p: 1 2 3 4\n"},
+    {"Msh1",
+     {{"a.msh",
+       "$NOD\n4\n7 0 0 0\n8 1 0 0\n9 0 1 0\n-3 0 0 1\n$ENDNOD\n$ELM\n4\n1 4 5 2 4 7 8 9 -3\n2 4 6 2 4 7 8 9 "
+       "-3\n"
+       "3 2 0 1 3 7 8 9\n4 15 1 1 1 11\n$ENDELM\n"}},
+     "msh1\nn 7 0 0 0\nn 8 1 0 0\nn 9 0 1 0\nn -3 0 0 1\ne 1 4 3/2 g5,6 p: 7 8 9 -3\ne 3 2 2/1 g p: 7 8 9\n"
+     "e 4 15 0/1 g1 p: ?11\n"},
+    {"Msh1OlderNameOfTheNodes",
+     {{"a.msh", "$NOE\n1\n1 0 0 0\n$ENDNOE\n$ELM\n0\n$ENDELM\n$PostFormat\n1\n$EndPostFormat\n"}},
+     "msh1\nn 1 0 0 0\nS PostFormat [1\n]\n"},
+    {"Msh3",
+     {{"a.msh",
+       "$MeshFormat\n3 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"steel\"\n$EndPhysicalNames\n"
+       "$Entities\n1 1 1 1\n1 1 9\n4 2 1 -2 0\n5 1 -4 0\n2 1 5 2 7 8\n$EndEntities\n"
+       "$Nodes\n4\n1 0 0 0 0\n2 1 0 0 4 1 0.5\n3 0 1 0 4 1 0.75\n4 0 0 1 5 2 0.25 0.125\n$EndNodes\n"
+       "$Elements\n3\n1 2 5 3 1 2 3\n2 4 2 7 1 2 3 4 2 1 -2\n3 4 2 4 1 2 3 9\n$EndElements\n"}},
+     "msh3\nG 3 7 steel\nE 0/1 0 0 0 0 0 0 g9 b\nE 1/4 0 0 0 0 0 0 g b1,-2\nE 2/5 0 0 0 0 0 0 g b-4\n"
+     "E 3/2 0 0 0 0 0 0 g7,8 b5\n" +
+         n4 +
+         "N 1/4 2: 0.5 0.75\nN 2/5 1: 0.25 0.125\ne 1 2 2/5 g p: 1 2 3\ne 2 4 3/2 g7,8 p1,-2: 1 2 3 4\n"
+         "e 3 4 3/2 g7,8 p: 1 2 3 ?9\n"},
+    {"Msh3SubElements",
+     {{"a.msh",
+       "$MeshFormat\n3 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0 0\n2 1 0 0 0\n$EndNodes\n"
+       "$Elements\n2\n1 1 1 2 1 2\n2 134 1 3 1 2 1\n$EndElements\n"}},
+     "msh3\nn 1 0 0 0\nn 2 1 0 0\ne 1 1 1/1 g p: 1 2\ne 2 134 1/1 g p: 1 2\n",
+     {"a.msh: element 2 has numbers behind its nodes that are no partitions: they are ignored (the first "
+      "such)"}},
+    {"Msh40",
+     {{"a.msh",
+       "$MeshFormat\n4 0 8\n$EndMeshFormat\n$Entities\n1 0 0 1\n1 0 0.5 1 0 0.5 1 1 -2\n"
+       "3 0 0 0 1 1 1 2 7 8 1 -2\n$EndEntities\n"
+       "$PartitionedEntities\n2\n1\n7 1\n0 0 0 1\n2 3 3 2 1 2 0 0 0 1 1 1 1 6 1 5\n$EndPartitionedEntities\n"
+       "$Nodes\n2 4\n3 3 0 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n2 2 1 1\n4 0 0 1 0.25 0.75\n$EndNodes\n"
+       "$Elements\n2 2\n3 3 4 1\n1 1 2 3 4\n2 3 4 1\n5 1 2 3 99\n$EndElements\n"}},
+     "msh40\nE 0/1 0 0.5 1 0 0.5 1 g-2 b\nE 3/3 0 0 0 1 1 1 g7,8 b-2\nE 3/2 0 0 0 1 1 1 g6 b5 (3/3 "
+     "p1,2)\nghost 7 1\n" +
+         n4 + "N 3/3 3: \nN 2/2 1: 0.25 0.75\ne 1 4 3/3 g7,8 p: 1 2 3 4\ne 5 4 3/2 g6 p1,2: 1 2 3 ?99\n"},
     {"Msh41Empty", {{"a.msh", v41 + "$Nodes\n0 0 0 0\n$EndNodes\n" + none41}}, "msh41\n"},
     {"Msh41CommentsBlankLinesAndSpaces",
      {{"a.msh", "$Comments\nby hand\n$EndComments\n\n" + v41 + "\n  " + nodes41 + " \n" + tet41 + "\n\n"}},
