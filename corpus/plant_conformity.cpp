@@ -164,7 +164,7 @@ bool crossed(Site& s, double bend) {
 }
 
 bool crossed_bent(Site& s) {
-  const double bend = std::pow(10, s.random.between(-6, -0.8));
+  const double bend = s.magnitude(-20, -2);
   return crossed(s, s.random.below(2) ? bend : -bend);
 }
 

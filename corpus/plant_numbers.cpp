@@ -90,7 +90,7 @@ bool lost_digit(Site& s) {
 bool jolted(Site& s) {
   const Index v = s.some_vertex();
   if (v < 0) return false;
-  const double size = s.size(s.tets_at(v)[0]) * std::pow(10, s.random.between(-3, 0.5));
+  const double size = s.size(s.tets_at(v)[0]) * s.magnitude(-10, 2);
   s.mesh.points[static_cast<std::size_t>(v)] += size * s.direction();
   return true;
 }

@@ -49,9 +49,12 @@ bool tip(Site& s, double depth) {
   const Point out = s.normal(face).normalized(), foot = s.centroid(face);
   const double size = 0.2 * s.size(t);
   const Point u = (s.at(face[1]) - s.at(face[0])).normalized(), v = out.cross(u);
+  constexpr std::array<std::array<double, 2>, 3> around{{{1, 0}, {-0.5, 0.85}, {-0.5, -0.9}}};
   const Index first = s.add(foot - depth * out);
   for (int k = 0; k < 3; ++k)
-    s.add(foot + size * out + 0.2 * size * (std::cos(2.1 * k) * u + std::sin(2.1 * k) * v));
+    s.add(foot + size * out +
+          0.2 * size *
+              (around[static_cast<std::size_t>(k)][0] * u + around[static_cast<std::size_t>(k)][1] * v));
   if (s.sign({first, first + 1, first + 2, first + 3}) == 0) return false;
   s.add_positive({first, first + 1, first + 2, first + 3});
   return true;
@@ -261,8 +264,7 @@ std::vector<PlantKind> overlap_kinds() {
        {"near-contact"},
        "a second copy of the mesh, moved by 1e-13 to 1e-6 of its size",
        [](Site& s) {
-         return copy(s, std::max(std::pow(10, s.random.between(-13, -6)) * s.parts.diagonal, 4 * unit(s)) *
-                            s.direction());
+         return copy(s, std::max(s.magnitude(-43, -20) * s.parts.diagonal, 4 * unit(s)) * s.direction());
        }},
       {"copy-in-place",
        defective,

@@ -99,6 +99,10 @@ Point Site::direction() {
   }
 }
 
+double Site::magnitude(int low, int high) {
+  return std::ldexp(random.between(1, 2), low + random.below(high - low));
+}
+
 namespace {
 
 Index some(Random& random, std::size_t count, const std::function<bool(Index)>& fits) {

@@ -65,9 +65,10 @@ struct Site {
   double size(Index t) const;                         ///< its shortest edge
   std::vector<Index> around(Index a, Index b) const;  ///< tetrahedra at an edge
   bool free(Index t) const;
-  bool free_star(Index v) const;  ///< all tetrahedra at the vertex are
-  Point within(Index t);          ///< a random point well inside
-  Point direction();              ///< random, of length 1
+  bool free_star(Index v) const;        ///< all tetrahedra at the vertex are
+  Point within(Index t);                ///< a random point well inside
+  Point direction();                    ///< random, of length 1
+  double magnitude(int low, int high);  ///< random, from 2^low to 2^high, every power as likely
 
   /// A random one of those that fit, among free tetrahedra, or vertices with free stars; -1: none.
   Index some_tet(const std::function<bool(Index)>& fits = {});

@@ -26,7 +26,7 @@ using namespace tetproof;
 constexpr std::array places{"as it is", "far", "tiny"};
 
 TetMesh placed(const TetMesh& mesh, std::size_t place) {
-  if (place == 0) return mesh;
+  if (place == 0 || mesh.points.empty()) return mesh;
   Eigen::Vector3d low = mesh.points.at(0), high = low;
   for (const Eigen::Vector3d& p : mesh.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double diagonal = (high - low).norm();
@@ -76,6 +76,10 @@ std::vector<std::unique_ptr<corpus::Ground>> grounds(const std::vector<std::stri
   std::vector<std::string> said(all.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
     TetMesh mesh = placed(meshes[i / places.size()], i % places.size());
+    if (mesh.tets.size() < 6) {
+      said[i] = "not used: hardly a tetrahedron";
+      return;
+    }
     const corpus::Truth truth = corpus::truth(mesh);
     if (!truth.valid()) {
       said[i] = fmt::format("not used: {} negative, {} flat, {} pairs overlap or touch",
