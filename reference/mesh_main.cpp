@@ -176,6 +176,7 @@ int mesh(const Arguments& a, const program::Common& common) {
                                                                             : verify::Region::outside,
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),
                       .voxels = a.voxels,
+                      .coarse = true,
                       .timings = a.timings});
   enter("writing");
   const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);

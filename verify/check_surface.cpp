@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "verify/comparison.hpp"
 #include "verify/voxel_volume.hpp"
 #include "verify/winding.hpp"
 
@@ -105,9 +106,22 @@ void check_against_surface(Judgement& j, const MeshVolumes& volumes, const Trian
         "match");
   }
   if (!whole && j.options.region == Region::outside) {
-    j.asked[static_cast<std::size_t>(Check::volume_surface)] =
-        j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+    for (const Check check : {Check::volume_surface, Check::volume_voxel, Check::off_surface_vertex,
+                              Check::mesh_to_surface, Check::surface_to_mesh, Check::normals})
+      j.asked[static_cast<std::size_t>(check)] = false;
     return;
+  }
+
+  if (j.options.coarse) j.asked[static_cast<std::size_t>(Check::normals)] = false;
+  Comparison comparison(j, surface, judged, own);
+  if (comparison.mesh_tree) {
+    check_distances(j, comparison);
+    if (j.wants(Check::normals)) check_normals(j, comparison);
+  } else {
+    for (const Check check :
+         {Check::off_surface_vertex, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals})
+      j.asked[static_cast<std::size_t>(check)] = false;
+    report.notes.push_back("distances were not measured: doubles cannot measure the box of mesh and surface");
   }
 
   // Inside: mesh - surface. Outside: mesh - (outer boundary - surface).

@@ -31,9 +31,13 @@ constexpr std::array<CheckInfo, check_count> table{{
   {Check::boundary_nonmanifold_vertex, "boundary-nonmanifold-vertex", "the boundary faces at every vertex form one fan", "exact", Severity::topology, not_needed, alone},
   {Check::boundary_self_intersection, "boundary-self-intersection", "two boundary faces meet in their common vertices and edges only", "exact", Severity::fail, needed, alone},
   {Check::overlap, "overlap", "no part of the boundary has the mesh on its outer side: with the checks above, no two tetrahedra overlap; else two that do and a rational point strictly inside both", "exact", Severity::fail, needed, alone},
+  {Check::off_surface_vertex, "off-surface-vertex", "every vertex of the boundary is as near to the surface as fidelity allows", "each distance to some 1e-15 of the diagonal; what is inside that is undecided", Severity::fail, not_needed, with_surface},
   {Check::topology, "topology", "components, cavities and genus of the boundary are the surface's", "exact", Severity::topology, not_needed, with_surface},
   {Check::volume_surface, "volume-surface", "the mesh's volume is the surface's, within fidelity x diagonal x area", "both exact, rounded once", Severity::fail, not_needed, with_surface},
   {Check::volume_voxel, "volume-voxel", "the mesh's volume is that of the surface's voxels, an independent account", "the volume of the voxels that the surface meets; a difference inside it is undecided", Severity::fail, not_needed, with_surface},
+  {Check::mesh_to_surface, "mesh-to-surface", "no point of the boundary is farther from the surface than fidelity allows: the directed Hausdorff distance", "in an interval that is narrowed until it decides; where it cannot, some 1e-14 of the diagonal, undecided. Measured is its lower end", Severity::fail, not_needed, with_surface},
+  {Check::surface_to_mesh, "surface-to-mesh", "no point of the surface is farther from the boundary than fidelity allows", "as mesh-to-surface", Severity::fail, not_needed, with_surface},
+  {Check::normals, "normals", "no face of the boundary looks away from every triangle of the surface within fidelity of its centroid. Measured is the largest angle between a face's normal and that of the nearest triangle [degrees]", "which triangles are near: some 1e-15 of the diagonal; angles: some 1e-15 radians, but for needles, by their length over their height more; right angles pass", Severity::warning, not_needed, with_surface},
 }};
 // clang-format on
 

@@ -16,7 +16,10 @@ struct DistanceQuestion {
   /// [length] Decide whether the distance is larger: the interval is narrowed beyond `options.error` while it
   /// holds this and work remains.
   std::optional<double> allowed{};
-  /// If not null: for each triangle of A one of B nearest to its centroid.
+  /// With `allowed`: decide, and no more. The interval may be as wide as what is allowed; its lower end comes
+  /// from every eighth triangle of A and from what had to be looked at.
+  bool only_decide = false;
+  /// If not null, and not only to decide: for each triangle of A one of B nearest to its centroid.
   std::vector<Index>* nearest = nullptr;
 };
 

@@ -76,7 +76,9 @@ struct Work {
 
 class Search {
  public:
-  Search(const TriangleTree& tree, double lower, double error) : tree_(tree), lower_(lower), error_(error) {}
+  // A piece is done when it is within `error` of the largest distance found, or within `accepted`.
+  Search(const TriangleTree& tree, double lower, double error, double accepted)
+      : tree_(tree), lower_(lower), error_(error), accepted_(accepted) {}
 
   void run(Work& work, std::int64_t budget) const {
     for (; budget > 0 && !work.pieces.empty(); --budget) {
@@ -88,7 +90,7 @@ class Search {
   }
 
  private:
-  double target(const Work& work) const { return std::max(lower_, work.lower) + error_; }
+  double target(const Work& work) const { return std::max(std::max(lower_, work.lower) + error_, accepted_); }
 
   bool examine_over(Work& work, const Piece& piece) const {
     const TriangleFrame& frame = tree_.frame(piece.guess);
@@ -217,19 +219,24 @@ class Search {
   }
 
   const TriangleTree& tree_;
-  double lower_, error_;
+  double lower_, error_, accepted_;
 };
 
 constexpr std::size_t chunk = 256;  // of triangles of A, each starting without a guess
 
-// What one question to the tree says about each triangle of A.
+// What one question to the tree, or none if the guess will do, says about each triangle of A.
 struct First {
   double lower, upper;
   Index nearest;
 };
 
-First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess) {
+First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess, double accepted) {
   const std::array<Point, 3> corners = a.corners(t);
+  if (accepted > 0 && guess >= 0 && t % 8 != 0) {
+    double squared = 0;
+    for (const Point& p : corners) squared = std::max(squared, b.frame(guess).squared_distance(p));
+    if (const double upper = std::sqrt(squared) + distance_slack; upper <= accepted) return {0, upper, guess};
+  }
   const TriangleTree::Nearest nearest = b.nearest((corners[0] + corners[1] + corners[2]) / 3, guess);
   const TriangleFrame& frame = b.frame(nearest.triangle);
   double squared = 0;
@@ -274,12 +281,13 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
   const double scale = a.units().scale;
   const double least_error = 4 * distance_slack;
   double error = std::max(question.options.error / scale, least_error);
+  const double accepted = question.only_decide ? question.allowed.value() / scale : 0;
 
   std::vector<First> first(a.size());
   tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
     Index guess = -1;
     for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
-      first[t] = first_look(a, b, static_cast<Index>(t), guess);
+      first[t] = first_look(a, b, static_cast<Index>(t), guess, accepted);
       guess = first[t].nearest;
     }
   });
@@ -299,7 +307,7 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
   for (;;) {
     std::vector<Work> works;
     for (std::size_t t = 0; t < a.size(); ++t) {
-      if (first[t].upper <= lower + error) continue;
+      if (first[t].upper <= std::max(lower + error, accepted)) continue;
       Work work{.triangle = static_cast<Index>(t), .lower = lower};
       Piece piece{.guess = first[t].nearest};
       for (const Point& p : a.corners(static_cast<Index>(t))) piece.add(p);
@@ -312,7 +320,7 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
     for (std::size_t i = 0; i < works.size(); ++i) open[i] = i;
     for (std::int64_t budget = 8; !open.empty() && result.pieces < question.options.most_pieces;
          budget *= 4) {
-      const Search search(b, lower, error);
+      const Search search(b, lower, error, accepted);
       const std::size_t part = budget > 1000 ? 1 : 32;
       tbb::parallel_for(std::size_t{0}, (open.size() + part - 1) / part, [&](std::size_t c) {
         for (std::size_t i = c * part; i < std::min(open.size(), (c + 1) * part); ++i) {

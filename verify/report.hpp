@@ -35,11 +35,15 @@ enum class Check {
   boundary_nonmanifold_vertex,
   boundary_self_intersection,
   overlap,
+  off_surface_vertex,
   topology,
   volume_surface,
   volume_voxel,
+  mesh_to_surface,
+  surface_to_mesh,
+  normals,
 };
-inline constexpr int check_count = 22;
+inline constexpr int check_count = 26;
 
 /// What a finding of a check means for the verdict.
 enum class Severity {
@@ -109,6 +113,14 @@ struct VolumeAccount {
   std::optional<double> voxel_inside, voxel_error_bound, voxel_error_estimate;
 };
 
+/// The directed Hausdorff distances between the mesh's boundary and the surface [length]: each is at least
+/// what is given and at most `error_bound` more. With region outside the mesh's own outer boundary is left
+/// out.
+struct Fidelity {
+  std::optional<double> mesh_to_surface, surface_to_mesh;
+  double error_bound = 0, allowed = 0;
+};
+
 /// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]), the last from edges[i] on; lower ones
 /// are in the first.
 struct Distribution {
@@ -140,6 +152,7 @@ struct Report {
   std::vector<RegionAccount> regions;  ///< by their tags; empty where there is one only
   std::optional<Shape> surface;
   VolumeAccount volume;
+  std::optional<Fidelity> fidelity;  ///< absent when no distance was measured
   std::optional<Quality> quality;
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> seconds;  ///< wall time per phase, only when asked for

@@ -54,7 +54,9 @@ Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
   // The voxels' account and what is called near rest on more than exact decisions.
-  const bool exact = result.check != Check::volume_voxel && result.check != Check::hanging_node &&
+  const bool exact = result.check != Check::volume_voxel && result.check != Check::off_surface_vertex &&
+                     result.check != Check::mesh_to_surface && result.check != Check::surface_to_mesh &&
+                     result.check != Check::normals && result.check != Check::hanging_node &&
                      result.check != Check::crossed_diagonal && result.check != Check::near_contact;
   return {{"id", info(result.check).id},
           {"verdict", name(result.verdict)},
@@ -107,6 +109,11 @@ std::string report_json(const Report& report, const Numbering& numbering) {
                 {"voxel_inside", or_null(report.volume.voxel_inside)},
                 {"voxel_error_bound", or_null(report.volume.voxel_error_bound)},
                 {"voxel_error_estimate", or_null(report.volume.voxel_error_estimate)}}}};
+  if (report.fidelity)
+    all["fidelity"] = {{"mesh_to_surface", or_null(report.fidelity->mesh_to_surface)},
+                       {"surface_to_mesh", or_null(report.fidelity->surface_to_mesh)},
+                       {"error_bound", report.fidelity->error_bound},
+                       {"allowed", report.fidelity->allowed}};
   if (report.quality) {
     const Quality& q = *report.quality;
     all["quality"] = {{"tets", q.tets},

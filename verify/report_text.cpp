@@ -68,6 +68,15 @@ std::string report_text(const Report& report, const Numbering& numbering) {
         "voxels    surface {:.12g}, off by at most {:.3g}{}\n", *volume.voxel_inside,
         volume.voxel_error_bound.value_or(0),
         volume.voxel_error_estimate ? fmt::format(", estimated {:.2g}", *volume.voxel_error_estimate) : "");
+  if (report.fidelity) {
+    const Fidelity& f = *report.fidelity;
+    const auto length = [](const std::optional<double>& d) {
+      return d ? fmt::format("{:.6g}", *d) : "not measured";
+    };
+    text += fmt::format(
+        "fidelity  mesh to surface {}, surface to mesh {}, each at most {:.2g} more; allowed {:.6g}\n",
+        length(f.mesh_to_surface), length(f.surface_to_mesh), f.error_bound, f.allowed);
+  }
   if (report.quality && report.quality->tets > 0) {
     const Quality& q = *report.quality;
     text += fmt::format(

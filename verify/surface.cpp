@@ -121,6 +121,7 @@ std::string component_name(const SurfaceReport& report, std::size_t i) {
 void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
   SurfaceReport& report = judgement.report;
   const std::size_t n = sheets.sheets.size();
+  judgement.component_of = sheets.of_triangle;
   const ExactVolumes& volumes =
       judgement.volumes.emplace(surface.vertices, surface.triangles, sheets.of_triangle, n);
   std::vector<int> depths(n, 0);

@@ -13,6 +13,7 @@ namespace tetproof::verify {
 struct SurfaceJudgement {
   SurfaceReport report;
   std::optional<ExactVolumes> volumes;  ///< one set for each component; absent with a fault
+  std::vector<Index> component_of;      ///< the component of each triangle
   std::vector<int> weights;             ///< of the components, for the volume inside an odd number of them
 };
 

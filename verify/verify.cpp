@@ -47,7 +47,11 @@ std::array<bool, check_count> asked_checks(const Options& options, bool with_sur
 }
 
 void settle_verdicts(const Judgement& j, Report& report) {
-  const bool strict = j.options.strict_topology || (report.surface && j.options.fidelity == 0);
+  const auto fails = [&](const CheckInfo& row) {
+    if (row.severity == Severity::topology)
+      return j.options.strict_topology || (report.surface && j.options.fidelity == 0);
+    return row.severity == Severity::fail && !(j.options.coarse && row.check == Check::surface_to_mesh);
+  };
   bool violated = false, open = false;
   for (CheckResult& result : report.checks) {
     const CheckInfo& row = info(result.check);
@@ -59,9 +63,7 @@ void settle_verdicts(const Judgement& j, Report& report) {
     if (!j.wants(result.check))
       result.verdict = Verdict::skipped;
     else if (!held)
-      result.verdict = row.severity == Severity::fail || (row.severity == Severity::topology && strict)
-                           ? Verdict::fail
-                           : Verdict::warning;
+      result.verdict = fails(row) ? Verdict::fail : Verdict::warning;
     else if (result.verdict != Verdict::undecided)
       result.verdict = Verdict::pass;
   }

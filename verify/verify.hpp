@@ -23,9 +23,14 @@ struct Options {
   bool strict_topology =
       false;  ///< topology, cavities and non-manifold edges and vertices fail; so they do at fidelity 0
   int voxels = 128;  ///< along the longest side, for the independent account of volume; 0: without
+  /// For a mesh whose maker could not do better than the allowed distance, as a lattice with cells of that
+  /// size: what is thinner than a cell is lost, and that surface-to-mesh fails is a warning. To be fast, the
+  /// distances are only decided, not measured more closely than that, and normals are skipped: at a tenth of
+  /// the cost of such a mesh they would tell what its maker knows.
+  bool coarse = false;
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
-  /// The region of each tetrahedron, as element tags say; empty: one region. Regions may share faces. The mesh
-  /// is judged as a whole, and each region gets its account.
+  /// The region of each tetrahedron, as element tags say; empty: one region. Regions may share faces. The
+  /// mesh is judged as a whole, and each region gets its account.
   std::vector<std::int64_t> regions;
   bool timings = false;
   bool quality = true;  ///< measure angles and aspect ratios
