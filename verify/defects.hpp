@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The broken elements as a mesh for a viewer.
+// The broken elements, and the witnesses, as a mesh for a viewer.
 #pragma once
 
 #include <string>
@@ -9,10 +9,12 @@
 
 namespace tetproof::verify {
 
-/// Writes the tetrahedra that the report's findings name, with all that share a vertex with one of them. For
-/// each check with findings an integer cell array of its id: 1 on its tetrahedra, 0 around them; and
-/// `number`, the tetrahedron's in the file. A mesh format by `path`'s ending, .vtu for viewers. Without
-/// findings the mesh is empty. InputError as `write_document`.
+/// Writes the tetrahedra that the report's findings name with one ring around them: all that share a vertex
+/// with what a finding names. Points are elements of their own where a finding names a vertex or has a
+/// witness point. For each check with findings an integer cell array of its id: 1 on what it names, 0 around
+/// it; and `number`, the tetrahedron's or the vertex's in the file, -1 for a witness point. A tetrahedron
+/// that lacks a point is shown by the vertices that it has. A mesh format by `path`'s ending, .vtu for
+/// viewers. Without findings the mesh is empty. InputError as `write_document`.
 void write_defects(const std::string& path, const TetMesh& mesh, const Numbering& numbering,
                    const Report& report);
 
