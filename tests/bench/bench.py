@@ -12,6 +12,7 @@ import subprocess
 import sys
 
 import adapt
+import judge
 import surfaces
 from measure import Command, Failed, measure
 
@@ -23,12 +24,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3, help="runs of every command, of which the median counts; 3")
     parser.add_argument("--cores", default=None, help="cores to run on, as in 0 or 0,1; all")
-    parser.add_argument("--only", default="skull,torus,growth,verify,hot,adapt", help="of skull,torus,growth,verify,hot,adapt")
+    parser.add_argument("--only", default="skull,torus,growth,verify,judge,hot,adapt",
+                        help="of skull,torus,growth,verify,judge,hot,adapt")
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), help="where the programs are; build")
     parser.add_argument("--out", default=os.path.join(ROOT, "out", "bench"), help="where files go; out/bench")
     arguments = parser.parse_args()
     bench = Bench(arguments)
-    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "hot": bench.hot, "adapt": bench.adapt}
+    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "judge": bench.judge, "hot": bench.hot, "adapt": bench.adapt}
     chosen = arguments.only.split(",")
     for name in chosen:
         if name not in sections:
@@ -165,6 +167,10 @@ class Bench:
             ratio = "" if c is commands[0] else f"{c.wall / commands[0].wall:.1f}"
             print(f"| {c.name} | {c.wall:.2f} ± {100 * c.spread():.0f} % | {c.cpu:.2f} | {ratio} | {c.memory:,.0f} |")
         print(flush=True)
+
+    def judge(self):
+        """The judge's growth up to 10^7 tetrahedra, beside others that check meshes."""
+        judge.judge(self, ele_tets)
 
     def hot(self):
         """Single phases on one thread, as rates."""
