@@ -198,7 +198,7 @@ struct Covered {
 
 // One face of each group that has an outer side and that is covered there.
 std::vector<Covered> covered_faces(const Judgement& j, const std::vector<std::uint8_t>& degenerate) {
-  if (!j.wants(Check::overlap)) return {};
+  if (!j.wants(Check::overlap) || j.meetings.more) return {};
   const Boundary& boundary = j.boundary;
   std::vector<Index> start(boundary.groups.sheets.size(), -1), starts;
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
@@ -216,8 +216,32 @@ std::vector<Covered> covered_faces(const Judgement& j, const std::vector<std::ui
   return covered;
 }
 
+// Where too much meets for each part's nesting to be asked: the tetrahedra of some pairs that meet.
+void check_overlap_of_some(Judgement& j) {
+  constexpr std::size_t most_tried = 1000;
+  std::vector<Finding> shared;
+  for (std::size_t i = 0; i < j.meetings.pairs.size() && i < most_tried && shared.size() < most_findings;
+       ++i) {
+    Finding finding;
+    for (const Index f : j.meetings.pairs[i]) {
+      finding.tets.push_back(tet_of(j.boundary.faces[f]));
+      finding.faces.push_back(vertices_of(j.mesh, j.boundary.faces[f]));
+    }
+    const auto both = common_point(j.mesh.points, j.mesh.tets[finding.tets[0]], j.mesh.tets[finding.tets[1]]);
+    if (!both) continue;
+    finding.what = "these tetrahedra overlap; the point is inside both";
+    finding.point = both->point, finding.point_exact = both->exact;
+    shared.push_back(std::move(finding));
+  }
+  if (shared.empty()) j.asked[static_cast<std::size_t>(Check::overlap)] = false;
+  const std::size_t count = shared.size();
+  j[Check::overlap] = {count, [shared = std::move(shared)](std::size_t i) { return shared[i]; },
+                       [](std::size_t, Finding&) {}};
+}
+
 void check_overlap(Judgement& j, const std::vector<Covered>& covered) {
   if (!j.wants(Check::overlap)) return;
+  if (j.meetings.more) return check_overlap_of_some(j);
   const Boundary& boundary = j.boundary;
   // Of each group a vertex of its first face that meets another: its overlap follows from that.
   std::vector<Index> crossed(boundary.groups.sheets.size(), -1);
@@ -272,10 +296,12 @@ void check_boundary(Judgement& j, const MeshVolumes& volumes, std::size_t right_
   const Boundary& boundary = j.boundary;
   const std::vector<Index> holes = cavities(j, volumes);
   const Degenerate degenerate = degenerate_triangles(j.mesh.points, boundary.boundary_triangles());
+  const Near near(j.mesh.points, boundary.boundary_triangles());
+  find_meetings(j, near, degenerate.triangles);
   const std::vector<Covered> covered = covered_faces(j, degenerate.triangles);
   std::vector<Index> covered_positions;
   for (const Covered& c : covered) covered_positions.push_back(c.face);
-  check_conformity(j, degenerate.triangles, covered_positions);
+  check_conformity(j, near, covered_positions);
   if (j.wants(Check::cavity)) {
     std::vector<Index> wrong = holes;
     wrong.resize(holes.size() - std::min(holes.size(), right_cavities));

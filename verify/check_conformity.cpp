@@ -133,15 +133,22 @@ Cracks check_cracks(Judgement& j, const FaceMatching& faces) {
   return cracks;
 }
 
-void check_conformity(Judgement& j, const std::vector<std::uint8_t>& degenerate,
-                      const std::vector<Index>& covered) {
+void find_meetings(Judgement& j, const Near& near, const std::vector<std::uint8_t>& degenerate) {
   const bool nearness =
       j.wants(Check::hanging_node) || j.wants(Check::crossed_diagonal) || j.wants(Check::near_contact);
-  if (!nearness && !j.wants(Check::boundary_self_intersection)) return;
-  const auto triangles = j.boundary.boundary_triangles();
-  const Near near(j.mesh.points, triangles);
-  j.meetings =
-      self_intersections(j.mesh.points, triangles, degenerate, most_pairs, nearness ? &near : nullptr);
+  if (!nearness && !j.wants(Check::boundary_self_intersection) && !j.wants(Check::overlap)) return;
+  j.meetings = self_intersections(j.mesh.points, j.boundary.boundary_triangles(), degenerate, most_pairs,
+                                  nearness ? &near : nullptr);
+  if (!j.meetings.more) return;
+  for (const Check check : {Check::hanging_node, Check::crossed_diagonal, Check::near_contact})
+    j.asked[static_cast<std::size_t>(check)] = false;
+  j.report.notes.push_back(
+      fmt::format("more than {} pairs of boundary faces meet: some of them are named; hanging nodes, crossed "
+                  "diagonals and near contacts were not searched for, and overlaps only among those",
+                  most_counted_pairs));
+}
+
+void check_conformity(Judgement& j, const Near& near, const std::vector<Index>& covered) {
   if (j.meetings.contacts.empty() && j.meetings.folds.empty() && j.meetings.near.empty() && covered.empty())
     return;
   const FacesAtVertices at(j.boundary, j.mesh.points.size());

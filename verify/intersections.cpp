@@ -6,6 +6,7 @@
 #include <tbb/partitioner.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -77,6 +78,32 @@ void keep_first(Intersections& all, std::size_t most) {
   keep_first(all.near, most);
 }
 
+// Some pairs that meet, at least one, where there are very many: each triangle with those before it, until
+// there are enough, or too much was compared.
+std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
+                                             std::span<const Triangle> triangles,
+                                             const std::vector<Box>& boxes, std::size_t enough) {
+  constexpr std::size_t most_compared = 2'000'000'000;
+  std::vector<std::array<Index, 2>> pairs;
+  std::size_t compared = 0;
+  for (std::size_t i = 0;
+       i < boxes.size() && pairs.size() < enough && (pairs.empty() || compared < most_compared); ++i) {
+    compared += i;
+    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k) {
+      const Box &x = boxes[k], &y = boxes[i];
+      bool apart = false;
+      for (int axis = 0; axis < 3; ++axis)
+        apart = apart || x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis];
+      if (!apart && triangles_meet(points, triangles[x.number], triangles[y.number]))
+        pairs.push_back({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+struct TooManyPairs {};
+
 }  // namespace
 
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
@@ -103,6 +130,10 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
   const std::optional<Nearby> nearby =
       near ? std::optional<Nearby>(std::in_place, points, triangles, *near) : std::nullopt;
   std::mutex joining;
+  std::atomic<std::int64_t> total = 0;
+  const auto count_one = [&] {
+    if (total.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
+  };
   tbb::parallel_for(
       std::size_t{0}, slabs.splits.size() + 1,
       [&](std::size_t slab) {
@@ -117,6 +148,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
           if (meeting) {
             ++found.count;
+            count_one();
             add(found.pairs, std::array<Index, 2>{low, high}, most);
           }
           if (!nearby) return;
@@ -128,11 +160,15 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           }
           if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, most);
         };
-        // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
-        // default, 10.
-        CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
-                                      CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
-                                      CGAL::Box_intersection_d::CLOSED);
+        try {
+          // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
+          // default, 10.
+          CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
+                                        CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
+                                        CGAL::Box_intersection_d::CLOSED);
+        } catch (const TooManyPairs&) {
+          return;
+        }
         // The first of a union are the first of its parts' first, in whatever order the parts come.
         const std::lock_guard lock(joining);
         const auto join = [&](auto& all, const auto& part) {
@@ -147,6 +183,11 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         join(result.near, found.near);
       },
       tbb::simple_partitioner());
+  // Whether there are too many does not depend on the threads; which were found first does.
+  if (total > most_counted_pairs)
+    return {.more = true,
+            .count = most_counted_pairs,
+            .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};
   keep_first(result, most);
   return result;
 }

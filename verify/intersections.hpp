@@ -15,9 +15,15 @@
 
 namespace tetproof::verify {
 
+/// The search ends at so many pairs that meet: there are quadratically many in a mesh of random
+/// numbers.
+inline constexpr std::int64_t most_counted_pairs = 1'000'000;
+
 /// All lists ascend, and hold the first `most` at most.
 struct Intersections {
-  std::int64_t count = 0;                   ///< of pairs that meet
+  bool more = false;       ///< there are more than most_counted_pairs: `count` is that number, and only some
+                           ///< `pairs` are kept
+  std::int64_t count = 0;  ///< of pairs that meet
   std::vector<std::array<Index, 2>> pairs;  ///< those, lower triangle first
   // Only when asked for what is near:
   std::vector<Contact> contacts;  ///< each once; of triangles that meet, too

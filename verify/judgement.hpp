@@ -44,10 +44,10 @@ Cracks check_cracks(Judgement& judgement, const FaceMatching& faces);
 
 /// Of pairs of triangles that meet or are near so many are kept; the others are counted.
 inline constexpr std::size_t most_pairs = 100000;
-/// hanging-node, crossed-diagonal, near-contact; finds what of the boundary meets. `covered`: see
-/// `find_conformity`.
-void check_conformity(Judgement& judgement, const std::vector<std::uint8_t>& degenerate,
-                      const std::vector<Index>& covered);
+/// Finds what of the boundary meets, or is near.
+void find_meetings(Judgement& judgement, const Near& near, const std::vector<std::uint8_t>& degenerate);
+/// hanging-node, crossed-diagonal, near-contact. `covered`: see `find_conformity`.
+void check_conformity(Judgement& judgement, const Near& near, const std::vector<Index>& covered);
 /// cavity, boundary-nonmanifold-edge and -vertex, boundary-self-intersection, overlap; the mesh's components
 /// and genus. The largest `right_cavities` cavities are as they should be.
 void check_boundary(Judgement& judgement, const MeshVolumes& volumes, std::size_t right_cavities);

@@ -104,10 +104,10 @@ std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate&
                        triangle_name(surface, first), edges.mate[3 * first] / 3);
   const Intersections meetings = self_intersections(surface.vertices, surface.triangles, {}, 1);
   if (meetings.count > 0)
-    return fmt::format("the surface intersects itself: {} (first: {} and {})",
-                       plural(meetings.count, "pair of triangles meets", "pairs of triangles meet"),
-                       triangle_name(surface, meetings.pairs[0][0]),
-                       triangle_name(surface, meetings.pairs[0][1]));
+    return fmt::format(
+        "the surface intersects itself: {}{} (first: {} and {})", meetings.more ? "more than " : "",
+        plural(meetings.count, "pair of triangles meets", "pairs of triangles meet"),
+        triangle_name(surface, meetings.pairs[0][0]), triangle_name(surface, meetings.pairs[0][1]));
   return "";
 }
 

@@ -2,11 +2,14 @@
 // Every check: a defect planted in a sound mesh gives that finding, with its elements, and no other; the
 // sound mesh gives none.
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "meshes.hpp"
+#include "verify/intersections.hpp"
 #include "verify/verify.hpp"
 
 namespace tetproof::test {
@@ -399,6 +402,29 @@ TEST(PlantedDefects, NothingOfItCrashes) {
   EXPECT_FALSE(report_json(report).empty());
   EXPECT_EQ(verify::verify(TetMesh{}).mesh.tets, 0);
   EXPECT_EQ(verify::verify(TetMesh{{}, {{0, 1, 2, 3}}})[Check::index_range].count, 1);
+}
+
+// Random numbers: quadratically many faces meet. The search ends, says so, and says the same on any number of
+// threads; asked for overlaps alone it has no less to say.
+TEST(PlantedDefects, ManyThousandRandomTetrahedra) {
+  TetMesh mesh = lattice_mesh({8, 8, 8});
+  std::mt19937 random(3);
+  const auto points = static_cast<Index>(mesh.points.size());
+  for (auto& tet : mesh.tets)
+    for (Index& v : tet) v = static_cast<Index>(random() % static_cast<unsigned>(points));
+  const Report report = verify::verify(mesh);
+  EXPECT_EQ(report.certificate, false);
+  const auto& meeting = report[Check::boundary_self_intersection];
+  EXPECT_EQ(meeting.count + meeting.consequences, verify::most_counted_pairs);
+  EXPECT_EQ(report[Check::hanging_node].verdict, Verdict::skipped);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_NE(report.notes[0].find("more than 1000000 pairs of boundary faces meet"), std::string::npos);
+  const Report alone = verify::verify(mesh, {.check = {"overlap"}});
+  EXPECT_EQ(alone[Check::overlap].verdict, Verdict::fail);
+  ASSERT_FALSE(alone[Check::overlap].findings.empty());
+  EXPECT_TRUE(alone[Check::overlap].findings[0].point);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(report_json(verify::verify(mesh)), report_json(report));
 }
 
 TEST(PlantedDefects, SkippedChecksLeaveTheCertificateOpen) {
