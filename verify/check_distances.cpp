@@ -165,6 +165,7 @@ void check_distances(Judgement& j, Comparison& c) {
     bool undecided = false;
     off = off_vertices(j, c, undecided);
     check_vertices(j, c, off, undecided);
+    for (const OffVertex& o : off) c.off_vertices.push_back(o.vertex);
   }
   if (j.wants(Check::mesh_to_surface) && c.to_surface &&
       judge_distance(j, Check::mesh_to_surface, *c.to_surface, c.allowed)) {

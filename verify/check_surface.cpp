@@ -28,102 +28,20 @@ std::vector<int> own_sheets(const Judgement& j) {
   return own;
 }
 
-std::string list(const std::vector<std::int64_t>& numbers) {
-  std::string text;
-  for (std::size_t i = 0; i < numbers.size() && i < 8; ++i)
-    text += fmt::format("{}{}", i ? ", " : "", numbers[i]);
-  return numbers.size() > 8 ? text + ", ..." : text;
-}
-
-void check_topology(Judgement& j, const MeshVolumes& volumes, const std::vector<int>& own,
-                    const SurfaceReport& surface) {
-  std::int64_t outward = 0, inward = 0;
-  std::vector<std::int64_t> genus, right_genus;
-  for (std::size_t s = 0; s < own.size(); ++s) {
-    if (own[s]) continue;
-    (volumes.sets.sign(s) > 0 ? outward : inward) += 1;
-    genus.push_back(j.boundary.sheets.sheets[s].genus());
-  }
-  for (const SurfaceComponent& c : surface.components) right_genus.push_back(c.genus);
-  std::sort(genus.begin(), genus.end());
-  std::sort(right_genus.begin(), right_genus.end());
-  // Seen from outside the solid, its cavities point outward.
-  if (j.options.region == Region::outside) std::swap(outward, inward);
-  const std::int64_t right_inward = surface.cavities(),
-                     right_outward = static_cast<std::int64_t>(surface.components.size()) - right_inward;
-  std::vector<std::string> differences;
-  const char* without = j.options.region == Region::outside ? " (without the outer boundary)" : "";
-  if (outward != right_outward)
-    differences.push_back(fmt::format("the boundary has {} components besides cavities{}, the surface {}",
-                                      outward, without, right_outward));
-  if (inward != right_inward)
-    differences.push_back(
-        fmt::format("the boundary bounds {} cavities{}, the surface {}", inward, without, right_inward));
-  if (genus != right_genus)
-    differences.push_back(fmt::format("the boundary's components have genus {}{}, the surface's {}",
-                                      genus.empty() ? "none" : list(genus), without, list(right_genus)));
-  const std::size_t count = differences.size();
-  j[Check::topology] = {count, [](std::size_t) { return Finding{}; },
-                        [differences](std::size_t i, Finding& finding) { finding.what = differences[i]; }};
-}
-
 Suspects one_if(bool found, std::string what) {
   return {found ? std::size_t{1} : 0, [](std::size_t) { return Finding{}; },
           [what = std::move(what)](std::size_t, Finding& finding) { finding.what = what; }};
 }
 
-}  // namespace
-
-std::size_t right_cavities(Region region, const SurfaceReport& surface) {
-  if (region == Region::none) return 0;
-  const auto inner = static_cast<std::size_t>(surface.cavities());
-  return region == Region::outside ? surface.components.size() - inner : inner;
+void skip(Judgement& j, std::initializer_list<Check> checks) {
+  for (const Check check : checks) j.asked[static_cast<std::size_t>(check)] = false;
 }
 
-void check_against_surface(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
-                           const SurfaceJudgement& judged) {
+// volume-surface, volume-voxel.
+void check_volumes(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
+                   const SurfaceJudgement& judged, const std::vector<int>& own) {
   const SurfaceReport& s = judged.report;
   Report& report = j.report;
-  report.surface = Shape{.points = s.vertices,
-                         .tets = 0,
-                         .boundary_faces = s.triangles,
-                         .components = static_cast<std::int64_t>(s.components.size()),
-                         .cavities = s.cavities(),
-                         .genus = s.genus};
-  for (const SurfaceComponent& c : s.components) report.surface->genus_per_component.push_back(c.genus);
-  report.surface->volume = report.volume.surface = s.volume;
-  if (j.options.region == Region::none) return;
-
-  // What cannot be compared was found defective before.
-  const bool whole = j.boundary.closed && report.mesh.components;
-  std::vector<int> own(volumes.all.size() - 1, 0);
-  if (whole) own = own_sheets(j);
-  if (whole && j.wants(Check::topology)) check_topology(j, volumes, own, s);
-  if (!whole) {
-    j.asked[static_cast<std::size_t>(Check::topology)] = false;
-    report.notes.push_back(
-        "the topology was not compared with the surface's: the boundary is not closed, or faces do not "
-        "match");
-  }
-  if (!whole && j.options.region == Region::outside) {
-    for (const Check check : {Check::volume_surface, Check::volume_voxel, Check::off_surface_vertex,
-                              Check::mesh_to_surface, Check::surface_to_mesh, Check::normals})
-      j.asked[static_cast<std::size_t>(check)] = false;
-    return;
-  }
-
-  if (j.options.coarse) j.asked[static_cast<std::size_t>(Check::normals)] = false;
-  Comparison comparison(j, surface, judged, own);
-  if (comparison.mesh_tree) {
-    check_distances(j, comparison);
-    if (j.wants(Check::normals)) check_normals(j, comparison);
-  } else {
-    for (const Check check :
-         {Check::off_surface_vertex, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals})
-      j.asked[static_cast<std::size_t>(check)] = false;
-    report.notes.push_back("distances were not measured: doubles cannot measure the box of mesh and surface");
-  }
-
   // Inside: mesh - surface. Outside: mesh - (outer boundary - surface).
   const bool outside = j.options.region == Region::outside;
   std::vector<int> mesh_weights = volumes.all, surface_weights = judged.weights, outer(volumes.all.size(), 0);
@@ -170,6 +88,86 @@ void check_against_surface(Judgement& j, const MeshVolumes& volumes, const Trian
                                   fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed "
                                               "{:.6g} and the voxels' error of at most {:.6g}",
                                               apart, allowed, voxels.error_bound));
+}
+
+// Distances, normals, and regions that are missing or too much.
+void compare(Judgement& j, Comparison& comparison, const std::vector<int>& own) {
+  if (!comparison.mesh_tree) {
+    skip(j, {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::topology,
+             Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
+    j.report.notes.push_back(
+        "distances were not measured, components not paired: doubles cannot measure the box of mesh and "
+        "surface");
+    return;
+  }
+  check_distances(j, comparison);
+  if (j.wants(Check::normals)) check_normals(j, comparison);
+  if (j.options.voxels == 0) skip(j, {Check::missing_region, Check::excess_region});
+  if (!j.wants(Check::missing_region) && !j.wants(Check::excess_region)) return;
+  try {
+    check_missing_and_excess(j, comparison, own);
+  } catch (const VoxelRangeError& error) {
+    skip(j, {Check::missing_region, Check::excess_region});
+    j.report.notes.push_back(fmt::format("missing and excess regions were not looked for: {}", error.what()));
+  }
+}
+
+// What follows from a region that is missing or too much.
+void name_region(Judgement& j, const Comparison& c) {
+  if (!c.region) return;
+  for (const Check check :
+       {Check::topology, Check::volume_surface, Check::volume_voxel, Check::surface_to_mesh})
+    j[check].cause = [region = c.region](std::size_t) { return region; };
+  if (!j[Check::mesh_to_surface].cause || !j[Check::mesh_to_surface].cause(0))
+    if (c.region->check == Check::excess_region || j[Check::excess_region].count > 0)
+      j[Check::mesh_to_surface].cause = [](std::size_t) { return Cause{Check::excess_region, 0}; };
+  j[Check::off_surface_vertex].cause = [at = c.region_at_off_vertex](std::size_t i) { return at[i]; };
+}
+
+}  // namespace
+
+std::size_t right_cavities(Region region, const SurfaceReport& surface) {
+  if (region == Region::none) return 0;
+  const auto inner = static_cast<std::size_t>(surface.cavities());
+  return region == Region::outside ? surface.components.size() - inner : inner;
+}
+
+void check_against_surface(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
+                           const SurfaceJudgement& judged) {
+  const SurfaceReport& s = judged.report;
+  Report& report = j.report;
+  report.surface = Shape{.points = s.vertices,
+                         .tets = 0,
+                         .boundary_faces = s.triangles,
+                         .components = static_cast<std::int64_t>(s.components.size()),
+                         .cavities = s.cavities(),
+                         .genus = s.genus};
+  for (const SurfaceComponent& c : s.components) report.surface->genus_per_component.push_back(c.genus);
+  report.surface->volume = report.volume.surface = s.volume;
+  if (j.options.region == Region::none) return;
+
+  // What cannot be compared was found defective before.
+  const bool whole = j.boundary.closed && report.mesh.components;
+  std::vector<int> own(volumes.all.size() - 1, 0);
+  if (whole) own = own_sheets(j);
+  if (!whole) {
+    j.asked[static_cast<std::size_t>(Check::topology)] = false;
+    report.notes.push_back(
+        "the topology was not compared with the surface's: the boundary is not closed, or faces do not "
+        "match");
+  }
+  if (!whole && j.options.region == Region::outside) {
+    skip(j, {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
+             Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
+    return;
+  }
+
+  if (j.options.coarse) j.asked[static_cast<std::size_t>(Check::normals)] = false;
+  Comparison comparison(j, surface, judged, own);
+  if (j.wants(Check::topology) && comparison.mesh_tree) check_topology(j, volumes, comparison);
+  compare(j, comparison, own);
+  check_volumes(j, volumes, surface, judged, own);
+  name_region(j, comparison);
 }
 
 }  // namespace tetproof::verify

@@ -26,6 +26,11 @@ struct Comparison {
   /// if the distance was not asked for.
   std::vector<Index> nearest_triangle{}, nearest_face{};
   std::optional<DirectedDistance> to_surface{}, to_mesh{};
+  /// What off-surface-vertex found, in its order, and the missing or excess region at each; the largest
+  /// region.
+  std::vector<Index> off_vertices{};
+  std::vector<std::optional<Cause>> region_at_off_vertex{};
+  std::optional<Cause> region{};
 
   Comparison(const Judgement& j, const TriangleSurface& surface, const SurfaceJudgement& judged,
              const std::vector<int>& own);
@@ -38,6 +43,10 @@ struct Comparison {
 
 /// off-surface-vertex, mesh-to-surface, surface-to-mesh.
 void check_distances(Judgement& j, Comparison& comparison);
+/// topology, of a closed boundary.
+void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& comparison);
+/// missing-region, excess-region. VoxelRangeError where doubles cannot lay the voxels.
+void check_missing_and_excess(Judgement& j, Comparison& comparison, const std::vector<int>& own);
 /// normals.
 void check_normals(Judgement& j, const Comparison& comparison);
 

@@ -35,6 +35,8 @@ enum class Check {
   boundary_nonmanifold_vertex,
   boundary_self_intersection,
   overlap,
+  missing_region,
+  excess_region,
   off_surface_vertex,
   topology,
   volume_surface,
@@ -43,7 +45,7 @@ enum class Check {
   surface_to_mesh,
   normals,
 };
-inline constexpr int check_count = 26;
+inline constexpr int check_count = 28;
 
 /// What a finding of a check means for the verdict.
 enum class Severity {
@@ -111,6 +113,7 @@ struct Shape {
 struct VolumeAccount {
   std::optional<double> mesh, surface, relative_difference;  ///< exact values rounded once
   std::optional<double> voxel_inside, voxel_error_bound, voxel_error_estimate;
+  std::optional<double> missing, excess;  ///< of the regions found, by voxels; absent when not looked for
 };
 
 /// The directed Hausdorff distances between the mesh's boundary and the surface [length]: each is at least

@@ -54,7 +54,8 @@ Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
   // The voxels' account and what is called near rest on more than exact decisions.
-  const bool exact = result.check != Check::volume_voxel && result.check != Check::off_surface_vertex &&
+  const bool exact = result.check != Check::volume_voxel && result.check != Check::missing_region &&
+                     result.check != Check::excess_region && result.check != Check::off_surface_vertex &&
                      result.check != Check::mesh_to_surface && result.check != Check::surface_to_mesh &&
                      result.check != Check::normals && result.check != Check::hanging_node &&
                      result.check != Check::crossed_diagonal && result.check != Check::near_contact;
@@ -109,6 +110,8 @@ std::string report_json(const Report& report, const Numbering& numbering) {
                 {"voxel_inside", or_null(report.volume.voxel_inside)},
                 {"voxel_error_bound", or_null(report.volume.voxel_error_bound)},
                 {"voxel_error_estimate", or_null(report.volume.voxel_error_estimate)}}}};
+  if (report.volume.missing) all["volume"]["missing"] = *report.volume.missing;
+  if (report.volume.excess) all["volume"]["excess"] = *report.volume.excess;
   if (report.fidelity)
     all["fidelity"] = {{"mesh_to_surface", or_null(report.fidelity->mesh_to_surface)},
                        {"surface_to_mesh", or_null(report.fidelity->surface_to_mesh)},

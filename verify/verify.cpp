@@ -50,7 +50,8 @@ void settle_verdicts(const Judgement& j, Report& report) {
   const auto fails = [&](const CheckInfo& row) {
     if (row.severity == Severity::topology)
       return j.options.strict_topology || (report.surface && j.options.fidelity == 0);
-    return row.severity == Severity::fail && !(j.options.coarse && row.check == Check::surface_to_mesh);
+    return row.severity == Severity::fail &&
+           !(j.options.coarse && (row.check == Check::surface_to_mesh || row.check == Check::missing_region));
   };
   bool violated = false, open = false;
   for (CheckResult& result : report.checks) {

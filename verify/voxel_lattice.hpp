@@ -60,6 +60,7 @@ class VoxelBits {
     const std::uint64_t bit = std::uint64_t{1} << (k & 63);
     if (!(word.load(std::memory_order_relaxed) & bit)) word.fetch_or(bit, std::memory_order_relaxed);
   }
+  bool operator()(int i, int j, int k) const { return row(i, j)[k >> 6] >> (k & 63) & 1; }
   void toggle(int i, int j, int k) {
     std::atomic_ref(row(i, j)[k >> 6]).fetch_xor(std::uint64_t{1} << (k & 63), std::memory_order_relaxed);
   }

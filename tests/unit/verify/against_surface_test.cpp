@@ -114,8 +114,11 @@ TEST(AgainstSurface, AnotherTopology) {
   const Report report =
       verify::verify(block, boundary_surface(ring), {.region = Region::inside, .voxels = 0});
   ASSERT_EQ(report[Check::topology].count, 1);
-  EXPECT_EQ(report[Check::topology].findings[0].what,
-            "the boundary's components have genus 0, the surface's 1");
+  EXPECT_THAT(
+      report[Check::topology].findings[0].what,
+      testing::MatchesRegex("the boundary's component with this face has genus 0, the surface's component 0 "
+                            "\\(triangle 0 and [0-9]+ more\\) has 1"));
+  EXPECT_EQ(report[Check::topology].findings[0].faces.size(), 1u);
 }
 
 TEST(AgainstSurface, VoxelsDecideOutsideTheirError) {
