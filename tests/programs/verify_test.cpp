@@ -155,9 +155,10 @@ TEST_F(Verify, DefectsForAViewer) {
     EXPECT_THAT(vtu, HasSubstr(name));
 }
 
-// Gmsh 4.8.4, HXT on two threads, of corpus/surfaces/plate_holes.STL: tetrahedron 52 has a point of its own,
-// 621, in the place of point 623, which its three inner neighbours have. On one thread the mesh is sound; see
-// other_meshers.py. The lines of both points in the .node file are the same but for their numbers.
+// Gmsh 4.8.4, HXT on two threads, of corpus/surfaces/plate_holes.STL, in one run of several; the others were
+// sound, as on one thread (other_meshers.py). Tetrahedron 52 has a point of its own, 621, in the place of
+// point 623, which its three inner neighbours have: their lines in the .node file are the same but for the
+// numbers.
 TEST_F(Verify, AMeshThatGmshCracked) {
   const std::string mesh = TETPROOF_SOURCE_DIR "/tests/programs/meshes/plate_holes-hxt.ele";
   const std::string surface = TETPROOF_SOURCE_DIR "/corpus/surfaces/plate_holes.STL";
