@@ -2,127 +2,60 @@
 // Chooses places, and decides by exact arithmetic whether what was planted is what its kind promises.
 #include "corpus/plant.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <bit>
-#include <iterator>
-#include <map>
-#include <numeric>
-#include <set>
+#include <string_view>
 #include <utility>
 
+#include "corpus/plant_outcome.hpp"
 #include "corpus/plant_site.hpp"
-#include "io/error.hpp"
 
 namespace tetproof::corpus {
 namespace {
 
-std::vector<PlantKind> two_at_once() {
-  constexpr auto defective = Expected::defective;
-  const auto both = [](const char* id, const char* first, const char* second, const char* comment) {
-    return PlantKind{id, defective, {"two"}, {}, {}, comment, nullptr, first, second};
-  };
-  return {both("inverted-and-hanging", "inverted-inside", "hanging-on-edge",
-               "two independent defects: an inverted tetrahedron, a hanging node"),
-          both("inverted-and-inside", "inverted-inside", "inside-another",
-               "two independent defects: an inverted tetrahedron, one inside another"),
-          both("nan-and-crack", "nan-inside", "crack-around-tet",
-               "two independent defects: a coordinate that is not a number, a crack"),
-          both("duplicate-and-thrice", "duplicate-tet", "face-shared-thrice",
-               "two independent defects: a duplicate, a face of three tetrahedra"),
-          both("crossed-and-overlap", "crossed-diagonals", "overlap-1e-12",
-               "two independent defects: crossed diagonals, an overlap by 1e-12"),
-          both("missing-and-touching", "missing-inside", "touching-edge",
-               "a missing tetrahedron, and far from it a boundary that touches itself"),
-          both("index-and-flat", "index-too-high", "flat",
-               "two independent defects: a number that no point has, a flat tetrahedron"),
-          both("crack-and-inside-at-vertex", "crack-around-tet", "inside-another-at-vertex",
-               "two independent defects: a crack, a tetrahedron inside another at a vertex of it"),
-          both("hanging-and-hanging", "hanging-off-edge", "hanging-off-face",
-               "two nodes that hang far from each other, both rounded off")};
+// What two kinds in one place come to: nothing is known of it but the truth.
+bool is_together(const PlantKind& kind) {
+  return kind.id == std::string_view("any-two-together");
 }
 
-bool same_bits(const Point& p, const Point& q) {
-  for (int k = 0; k < 3; ++k)
-    if (std::bit_cast<std::uint64_t>(p[k]) != std::bit_cast<std::uint64_t>(q[k])) return false;
-  return true;
-}
-
-// What differs from the sound mesh; the copy's removed tetrahedra are taken out.
-struct Outcome {
-  TetMesh mesh;
-  std::vector<Index> changed;         // tetrahedra that are new, name other vertices or have moved ones
-  std::vector<Index> tets, vertices;  // as in Planted
-  bool anything = false;
-};
-
-Outcome outcome(const Site& s) {
-  Outcome result;
-  const TetMesh& before = s.parts.mesh;
-  result.mesh.points = s.mesh.points;
-  std::vector<std::uint8_t> moved(s.mesh.points.size(), 0);
-  std::set<Index> vertices(s.vertices.begin(), s.vertices.end()), tets;
-  for (std::size_t v = 0; v < s.mesh.points.size(); ++v)
-    if (v >= before.points.size() || !same_bits(s.mesh.points[v], before.points[v]))
-      moved[v] = 1, vertices.insert(static_cast<Index>(v));
-  result.anything = !vertices.empty() || s.mesh.points.size() != before.points.size();
-  std::set<Index> beside_removed;
-  for (std::size_t t = 0; t < s.removed.size(); ++t)
-    if (s.removed[t] && t < before.tets.size())
-      for (const Index u : s.parts.neighbours[t])
-        if (u >= 0) beside_removed.insert(u);
-  for (std::size_t t = 0; t < s.mesh.tets.size(); ++t) {
-    if (s.removed[t]) {
-      result.anything = true;
-      continue;
-    }
-    const auto now = static_cast<Index>(result.mesh.tets.size());
-    result.mesh.tets.push_back(s.mesh.tets[t]);
-    const bool changed =
-        t >= before.tets.size() || s.mesh.tets[t] != before.tets[t] ||
-        std::any_of(s.mesh.tets[t].begin(), s.mesh.tets[t].end(), [&](Index v) {
-          return v >= 0 && v < static_cast<Index>(moved.size()) && moved[static_cast<std::size_t>(v)];
-        });
-    if (changed) result.changed.push_back(now), tets.insert(now), result.anything = true;
-    if (beside_removed.contains(static_cast<Index>(t))) tets.insert(now);
+// Whether the mesh is as valid as what was planted promises; says what it is.
+bool keeps_promise(const std::vector<const PlantKind*>& kinds, bool together, Planted& planted) {
+  const bool valid = planted.truth.valid();
+  if (together || !kinds[0]->expected) {
+    planted.expected = valid ? Expected::sound : Expected::defective;
+    return true;
   }
-  result.tets.assign(tets.begin(), tets.end());
-  result.vertices.assign(vertices.begin(), vertices.end());
-  return result;
-}
-
-// Whether the truth is what the kind promises; narrows what is needed to what is true.
-bool keeps_promise(const PlantKind& kind, bool alone, Planted& planted) {
-  const Truth& truth = planted.truth;
-  const bool valid = truth.valid(), slit = kind.has("slit");
-  planted.expected = kind.expected.value_or(valid ? Expected::sound : Expected::defective);
-  if (planted.expected == Expected::defective && valid && !slit) return false;
-  if (planted.expected != Expected::defective && !valid) return false;
-  if (slit && alone && !(truth.negative.empty() && truth.flat.empty())) return false;
-  std::vector<std::string> needed;
-  for (const char* id : kind.needed)
-    if (truth.confirms(id)) needed.emplace_back(id);
-  if (!kind.expected) {
-    // Of what may be wrong, what is.
-    const auto is_about_holes = [](const std::string& id) {
-      return id == "cavity" || id == "near-contact" || id.starts_with("boundary-nonmanifold");
-    };
-    std::erase_if(needed, [&](const std::string& id) { return is_about_holes(id) != valid; });
-    if (valid) needed.clear();
+  bool invalid = false, slit = false;
+  for (const PlantKind* kind : kinds) {
+    planted.expected = std::max(planted.expected, *kind->expected);
+    slit = slit || kind->has("slit");
+    invalid = invalid || (kind->expected == Expected::defective && !kind->has("slit"));
   }
-  if (needed.empty() && !kind.needed.empty() && !(valid && !kind.expected)) return false;
-  if (!needed.empty()) planted.needed.push_back(needed);
-  return true;
+  // A node that hangs is all that is wrong with its tetrahedra.
+  if (slit && kinds.size() == 1 && !(planted.truth.negative.empty() && planted.truth.flat.empty()))
+    return false;
+  return invalid ? !valid : slit || valid;
 }
 
-void admit(Planted& planted, const PlantKind& kind) {
+// Adds what a kind demands of a report, as far as it is true. False if nothing of it is.
+bool demand(const PlantKind& kind, Planted& planted, PlantedRoot root) {
   for (const auto* ids : {&kind.needed, &kind.also})
     for (const char* id : *ids) planted.admissible.emplace_back(id);
+  for (const char* id : kind.needed)
+    if (planted.truth.confirms(id)) root.ids.emplace_back(id);
+  if (!kind.expected) {
+    if (planted.expected != Expected::defective) return true;
+    std::erase_if(root.ids, [](const std::string& id) {
+      return id == "cavity" || id == "near-contact" || id.starts_with("boundary-nonmanifold");
+    });
+  }
+  if (root.ids.empty()) return kind.needed.empty();
+  planted.needed.push_back(std::move(root));
+  return true;
 }
 
-// What is worth a warning wherever it is true.
-void admit_warnings(Planted& planted) {
+// What is worth a warning wherever it is true, or was before.
+void admit_warnings(Planted& planted, const std::vector<const char*>& before) {
+  planted.admissible.insert(planted.admissible.end(), before.begin(), before.end());
   for (const char* id :
        {"duplicate-point", "unused-point", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"})
     if (planted.truth.confirms(id)) planted.admissible.emplace_back(id);
@@ -131,83 +64,57 @@ void admit_warnings(Planted& planted) {
                            planted.admissible.end());
 }
 
-// All vertices of tetrahedra that touch what a first planting concerned, and one ring more.
-std::vector<std::uint8_t> taken_by(const Site& s) {
-  const Outcome first = outcome(s);
-  std::vector<std::uint8_t> taken(s.parts.mesh.points.size(), 0);
-  const auto take = [&](Index v) {
-    if (v >= 0 && v < static_cast<Index>(taken.size())) taken[static_cast<std::size_t>(v)] = 1;
-  };
-  for (const Index v : first.vertices) take(v);
-  for (const Index t : first.tets)
-    for (const Index v : first.mesh.tets[static_cast<std::size_t>(t)]) take(v);
-  for (std::size_t t = 0; t < s.parts.mesh.tets.size(); ++t)
-    if (s.removed[t] || s.mesh.tets[t] != s.parts.mesh.tets[t])
-      for (const Index v : s.parts.mesh.tets[t]) take(v);
-  for (int ring = 0; ring < 2; ++ring) {
-    const std::vector<std::uint8_t> before = taken;
-    for (const Tet& tet : s.parts.mesh.tets)
-      if (std::any_of(tet.begin(), tet.end(),
-                      [&](Index v) { return before[static_cast<std::size_t>(v)] != 0; }))
-        for (const Index v : tet) take(v);
-  }
-  return taken;
-}
+// What was planted first, by its place in the copy.
+struct First {
+  std::vector<Index> tets, vertices;
+};
 
-std::optional<Planted> finished(const Site& site, const std::vector<const PlantKind*>& kinds) {
+std::optional<Planted> finished(const Site& site, const std::vector<const PlantKind*>& kinds, bool together,
+                                const First& first) {
   Outcome result = outcome(site);
   if (!result.anything) return std::nullopt;
-  Planted planted{.mesh = std::move(result.mesh),
-                  .expected = Expected::sound,
-                  .tets = std::move(result.tets),
-                  .vertices = std::move(result.vertices),
-                  .needed = {},
-                  .admissible = {},
-                  .truth = {}};
+  Planted planted;
+  planted.mesh = std::move(result.mesh);
   const bool whole = result.changed.size() * 4 > planted.mesh.tets.size();
   planted.truth = truth(planted.mesh, result.changed, whole ? 16 : 64);
-  bool defective = false, debatable = false;
-  for (const PlantKind* kind : kinds) {
-    // Of two, the first may be sound where the second is not.
-    PlantKind promised = *kind;
-    if (kinds.size() > 1 && promised.expected != Expected::defective) promised.expected = Expected::defective;
-    if (!keeps_promise(promised, kinds.size() == 1, planted)) return std::nullopt;
-    const Expected own = kinds.size() > 1 ? *kind->expected : planted.expected;
-    defective = defective || own == Expected::defective;
-    debatable = debatable || own == Expected::debatable;
-    admit(planted, *kind);
+  if (!keeps_promise(kinds, together, planted)) return std::nullopt;
+  std::vector<PlantedRoot> places(kinds.size());
+  for (std::size_t i = 0; i < result.tets.size(); ++i)
+    places[kinds.size() == 2 && !std::binary_search(first.tets.begin(), first.tets.end(), result.origins[i])]
+        .tets.push_back(result.tets[i]);
+  for (const Index v : result.vertices)
+    places[kinds.size() == 2 && !std::binary_search(first.vertices.begin(), first.vertices.end(), v)]
+        .vertices.push_back(v);
+  planted.tets = std::move(result.tets);
+  planted.vertices = std::move(result.vertices);
+  if (together) {
+    for (const char* id : {"index-range", "finite-coordinates", "repeated-vertex", "duplicate-tet",
+                           "inverted", "flat", "face-shared-thrice", "face-orientation", "crack",
+                           "boundary-self-intersection", "overlap", "hanging-node", "crossed-diagonal"})
+      planted.admissible.emplace_back(id);
+    if (planted.expected == Expected::defective)
+      planted.needed = {{planted.admissible, planted.tets, planted.vertices}};
+    for (const char* id : {"cavity", "near-contact"}) planted.admissible.emplace_back(id);
+  } else {
+    if (kinds.size() == 2 && !apart(planted.mesh, places[0], places[1])) return std::nullopt;
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (!demand(*kinds[i], planted, std::move(places[i]))) return std::nullopt;
   }
-  planted.expected = defective ? Expected::defective : debatable ? Expected::debatable : Expected::sound;
-  admit_warnings(planted);
+  admit_warnings(planted, site.parts.warned);
   return planted;
 }
 
+const PlantKind& any_local_kind(Random& random, bool together) {
+  const auto& all = plant_kinds();
+  for (;;) {
+    const PlantKind& kind = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
+    if (kind.mutate && kind.expected && !kind.has("whole") &&
+        !(together && (kind.has("slit") || kind.has("rounding"))))
+      return kind;
+  }
+}
+
 }  // namespace
-
-const char* name_of(Expected expected) {
-  return expected == Expected::sound ? "sound" : expected == Expected::debatable ? "debatable" : "defective";
-}
-
-bool PlantKind::has(std::string_view flag) const {
-  return std::any_of(flags.begin(), flags.end(), [&](const char* own) { return flag == own; });
-}
-
-const std::vector<PlantKind>& plant_kinds() {
-  static const std::vector<PlantKind> all = [] {
-    std::vector<PlantKind> kinds;
-    for (const auto& theme : {number_kinds(), orientation_kinds(), overlap_kinds(), contact_kinds(),
-                              conformity_kinds(), crack_kinds(), missing_kinds(), two_at_once()})
-      kinds.insert(kinds.end(), theme.begin(), theme.end());
-    return kinds;
-  }();
-  return all;
-}
-
-const PlantKind& plant_kind(std::string_view id) {
-  for (const PlantKind& kind : plant_kinds())
-    if (id == kind.id) return kind;
-  throw InputError(fmt::format("unknown kind of defect '{}'", id));
-}
 
 Ground::Ground(TetMesh mesh) : parts_(std::make_unique<const Parts>(std::move(mesh))) {}
 Ground::~Ground() = default;
@@ -219,23 +126,33 @@ const TetMesh& Ground::mesh() const {
 std::optional<Planted> plant(const PlantKind& kind, const Ground& ground, std::uint64_t seed) {
   constexpr int tries = 40;
   const Parts& parts = ground.parts();
+  if (kind.has("whole") && parts.mesh.tets.size() > most_tets_for_whole) return std::nullopt;
   Random random(seed);
   const std::vector<std::uint8_t> nothing(parts.mesh.points.size(), 0);
   for (int i = 0; i < tries; ++i) {
     std::vector<std::uint8_t> taken = nothing;
     Site site(parts, random, taken);
-    std::vector<const PlantKind*> kinds{&kind};
-    if (kind.second) {
-      kinds = {&plant_kind(kind.first), &plant_kind(kind.second)};
-      if (!kinds[0]->mutate(site)) continue;
-      taken = taken_by(site);
-      std::vector<Index> first = std::exchange(site.vertices, {});
-      if (!kinds[1]->mutate(site)) continue;
-      site.vertices.insert(site.vertices.end(), first.begin(), first.end());
-    } else if (!kind.mutate(site)) {
+    if (kind.mutate) {
+      if (!kind.mutate(site)) continue;
+      if (auto planted = finished(site, {&kind}, false, {})) return planted;
       continue;
     }
-    if (auto planted = finished(site, kinds)) return planted;
+    const bool together = is_together(kind);
+    const PlantKind& one = kind.first ? plant_kind(kind.first) : any_local_kind(random, together);
+    const PlantKind& other = kind.second ? plant_kind(kind.second) : any_local_kind(random, together);
+    if (!one.mutate(site) || (!together && !finished(site, {&one}, false, {}))) continue;
+    Outcome planted_first = outcome(site);
+    const First first{std::move(planted_first.origins), std::move(planted_first.vertices)};
+    if (!together) {
+      // Both keep their promise also alone.
+      taken = taken_by(site);
+      Random same = random;
+      Site alone(parts, same, taken);
+      if (!other.mutate(alone) || !finished(alone, {&other}, false, {})) continue;
+    }
+    if (!other.mutate(site)) continue;
+    site.vertices.insert(site.vertices.end(), first.vertices.begin(), first.vertices.end());
+    if (auto planted = finished(site, {&one, &other}, together, first)) return planted;
   }
   return std::nullopt;
 }

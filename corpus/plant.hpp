@@ -2,6 +2,7 @@
 // Plants defects in sound meshes: kinds that are known by name, at places that a seed chooses.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,15 +43,21 @@ const std::vector<PlantKind>& plant_kinds();
 /// InputError naming the id when there is none.
 const PlantKind& plant_kind(std::string_view id);
 
+/// What a report has to name as a root cause.
+struct PlantedRoot {
+  std::vector<std::string> ids;       ///< one of these checks
+  std::vector<Index> tets, vertices;  ///< at one of these
+};
+
 /// A mutated mesh and what is known of it.
 struct Planted {
-  TetMesh mesh;
-  Expected expected;
+  TetMesh mesh{};
+  Expected expected = Expected::sound;
   std::vector<Index> tets;      ///< those that were added or changed, and those beside which one was left out
   std::vector<Index> vertices;  ///< those that were added or moved, and those of tetrahedra left out
-  std::vector<std::vector<std::string>> needed;  ///< of each, one id is a root that names one of the above
-  std::vector<std::string> admissible;           ///< all ids that may be roots
-  Truth truth;                                   ///< around what was changed
+  std::vector<PlantedRoot> needed;      ///< each
+  std::vector<std::string> admissible;  ///< all ids that may be root causes
+  Truth truth;                          ///< around what was changed
 };
 
 /// A sound mesh in which to plant, with how its parts hang together.
@@ -66,6 +73,10 @@ class Ground {
  private:
   std::unique_ptr<const Parts> parts_;
 };
+
+/// Kinds that concern the whole mesh are not planted in larger ones: what is true of all pairs would take too
+/// long.
+inline constexpr std::size_t most_tets_for_whole = 4000;
 
 /// Plants one mutation: same arguments, same result. What changed nothing, or did not bring about what the
 /// kind promises (decided by exact arithmetic), is discarded and tried elsewhere; nothing when no place was

@@ -31,6 +31,10 @@ Parts::Parts(TetMesh given) : mesh(std::move(given)) {
     boundary.push_back(face);
     for (const Index v : key) on_boundary[static_cast<std::size_t>(v)] = 1;
   }
+  const Truth before = truth(mesh, {});
+  for (const char* id :
+       {"duplicate-point", "unused-point", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"})
+    if (before.confirms(id)) warned.push_back(id);
   low = high = mesh.points.empty() ? Point(0, 0, 0) : mesh.points[0];
   for (const Point& p : mesh.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   diagonal = (high - low).norm();
@@ -159,8 +163,13 @@ Index Site::add_positive(Tet tet) {
 }
 
 int Site::sign(const Tet& tet) const {
-  const auto p = [&](int i) { return mesh.points[static_cast<std::size_t>(tet[i])]; };
-  return orientation(p(0), p(1), p(2), p(3));
+  std::array<Point, 4> p;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (tet[i] < 0 || tet[i] >= static_cast<Index>(mesh.points.size())) return 0;
+    p[i] = mesh.points[static_cast<std::size_t>(tet[i])];
+    if (!p[i].allFinite()) return 0;
+  }
+  return orientation(p[0], p[1], p[2], p[3]);
 }
 
 void Site::remove(Index t) {

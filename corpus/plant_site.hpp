@@ -25,6 +25,7 @@ struct Parts {
   std::vector<std::vector<Index>> tets_at;     ///< of each vertex
   std::vector<std::uint8_t> on_boundary;       ///< of each vertex
   std::vector<std::array<Index, 2>> boundary;  ///< faces: tetrahedron, corner opposite
+  std::vector<const char*> warned;  ///< checks that find something to warn of before anything is planted
   Point low, high;
   double diagonal = 0;
 };
@@ -81,7 +82,7 @@ struct Site {
   Index add(const Point& p);
   /// With its vertices in the order that makes it positive.
   Index add_positive(Tet tet);
-  int sign(const Tet& tet) const;  ///< of its volume, exactly
+  int sign(const Tet& tet) const;  ///< of its volume, exactly; 0 if it has none
   void remove(Index t);
   /// Replaces tetrahedra with the edge a b by two each, with the vertex `node` on it. False if one is not
   /// positive.

@@ -16,7 +16,7 @@ bool has(const std::vector<Index>& sorted, Index i) {
   return std::binary_search(sorted.begin(), sorted.end(), i);
 }
 
-bool names(const verify::Finding& finding, const corpus::Planted& planted) {
+bool names(const verify::Finding& finding, const corpus::PlantedRoot& planted) {
   const auto vertex = [&](Index v) { return has(planted.vertices, v); };
   return std::any_of(finding.tets.begin(), finding.tets.end(),
                      [&](Index t) { return has(planted.tets, t); }) ||
@@ -55,13 +55,13 @@ std::string objection(const corpus::Planted& planted, const verify::Report& repo
       return std::string("root ") + info(result.check).id + " (" +
              (result.findings.empty() ? "" : result.findings[0].what) +
              "), admissible: " + joined(planted.admissible) + found;
-  for (const auto& group : planted.needed) {
-    const bool named = std::any_of(group.begin(), group.end(), [&](const std::string& id) {
+  for (const corpus::PlantedRoot& root : planted.needed) {
+    const bool named = std::any_of(root.ids.begin(), root.ids.end(), [&](const std::string& id) {
       const auto& findings = report[verify::check_of_id(id)].findings;
       return std::any_of(findings.begin(), findings.end(),
-                         [&](const verify::Finding& f) { return names(f, planted); });
+                         [&](const verify::Finding& f) { return names(f, root); });
     });
-    if (!named) return "no root at the planted place, expected one of: " + joined(group) + found;
+    if (!named) return "no root at the planted place, expected one of: " + joined(root.ids) + found;
   }
   for (const auto& [check, list] :
        {std::pair{Check::inverted, &planted.truth.negative}, {Check::flat, &planted.truth.flat}})
