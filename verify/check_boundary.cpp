@@ -17,11 +17,33 @@ namespace {
 
 constexpr std::size_t most_faces_shown = 24;
 
-// Closed sheets of negative volume, the smallest first, but for the largest `right` of them.
+// 1 for the sheets along whose edges not as many faces run in the one direction as in the other: where faces
+// do not match, one may be wound the wrong way, and its volume then depends on the origin.
+std::vector<std::uint8_t> unbalanced_sheets(const Boundary& boundary) {
+  std::vector<std::uint8_t> unbalanced(boundary.sheets.sheets.size(), 0);
+  if (boundary.triangles.size() == boundary.faces.size()) return unbalanced;
+  std::vector<std::array<Index, 4>> sides;  // sheet, lower and higher vertex, direction
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Index a = boundary.triangles[f][k], b = boundary.triangles[f][(k + 1) % 3];
+      sides.push_back({boundary.sheets.of_triangle[f], std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+    }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0, k; i < sides.size(); i = k) {
+    Index sum = 0;
+    for (k = i; k < sides.size() && std::equal(sides[i].begin(), sides[i].begin() + 3, sides[k].begin()); ++k)
+      sum += sides[k][3];
+    if (sum != 0 && sides[i][0] >= 0) unbalanced[static_cast<std::size_t>(sides[i][0])] = 1;
+  }
+  return unbalanced;
+}
+
+// Closed sheets of negative volume, the smallest first.
 std::vector<Index> cavities(const Judgement& j, const MeshVolumes& volumes) {
+  const std::vector<std::uint8_t> unbalanced = unbalanced_sheets(j.boundary);
   std::vector<Index> found;
   for (std::size_t s = 0; s < j.boundary.sheets.sheets.size(); ++s)
-    if (j.boundary.sheets.sheets[s].open_sides == 0 && volumes.sets.sign(s) < 0)
+    if (j.boundary.sheets.sheets[s].open_sides == 0 && !unbalanced[s] && volumes.sets.sign(s) < 0)
       found.push_back(static_cast<Index>(s));
   std::stable_sort(found.begin(), found.end(),
                    [&](Index a, Index b) { return volumes.sets.compare_size(a, b) < 0; });
@@ -285,8 +307,14 @@ void check_overlap(Judgement& j, const std::vector<Covered>& covered) {
         finding.point = both->point, finding.point_exact = both->exact;
       },
       0,
-      [&j, covered, folded](std::size_t i) {
-        return i < folded ? std::nullopt : j.conformity.cause_of_face(covered[i - folded].face);
+      [&j, covered, folded](std::size_t i) -> std::optional<Cause> {
+        if (i < folded) return std::nullopt;
+        const auto [face, winding] = covered[i - folded];
+        if (const auto cause = j.conformity.cause_of_face(face)) return cause;
+        // Only what is wound the wrong way covers a place less than not at all.
+        for (const Check check : {Check::inverted, Check::face_orientation})
+          if (winding < 0 && j[check].count > 0) return Cause{check, 0};
+        return std::nullopt;
       }};
 }
 

@@ -155,8 +155,9 @@ void add_consequence(Finding& cause, Check check) {
 void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report) {
   // Points in one place follow from the crack between the faces that name them.
   constexpr Set last = set(Check::duplicate_point, Check::unused_point);
-  constexpr Set named = set(Check::hanging_node, Check::crossed_diagonal, Check::crack, Check::missing_region,
-                            Check::excess_region, Check::off_surface_vertex);
+  constexpr Set named =
+      set(Check::inverted, Check::face_orientation, Check::hanging_node, Check::crossed_diagonal,
+          Check::crack, Check::missing_region, Check::excess_region, Check::off_surface_vertex);
   const auto is_in = [](Check check, Set checks) { return (checks >> static_cast<int>(check) & 1) != 0; };
   Roots roots(mesh);
   std::array<std::vector<std::uint32_t>, check_count>

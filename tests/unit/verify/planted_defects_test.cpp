@@ -274,6 +274,39 @@ TEST(PlantedDefects, TwoThatShareAVertexStandSideBySide) {
   EXPECT_EQ(roots(verify::verify(foreign)), (Ids{"inverted", "overlap"}));
 }
 
+// The boundary with one face wound the wrong way encloses nothing that could be a cavity, wherever it lies.
+TEST(PlantedDefects, AnInvertedTetrahedronAtTheBoundaryMakesNoCavity) {
+  for (const double shift : {0.0, 1e6, -1e6}) {
+    TetMesh mesh = lattice_mesh({3, 3, 3}, {}, Eigen::Vector3d::Constant(shift));
+    std::swap(mesh.tets[0][0], mesh.tets[0][1]);
+    const Report report = verify::verify(mesh);
+    EXPECT_EQ(roots(report), Ids{"inverted"});
+    EXPECT_EQ(report[Check::cavity].consequences, 0) << report_text(report);
+  }
+}
+
+// A negative winding number at a face: the place is covered by a tetrahedron wound the wrong way, far as it
+// may be from the face.
+TEST(PlantedDefects, ANegativeCoveringFollowsFromAnInvertedTetrahedron) {
+  // A block with a hole in it, and in the hole, sharing nothing, a turned tetrahedron around a smaller good
+  // one.
+  TetMesh mesh = lattice_mesh({5, 5, 5}, [](Cell c) { return c != Cell{2, 2, 2}; });
+  const auto add = [&](double size, bool turned) {
+    const auto first = static_cast<Index>(mesh.points.size());
+    const Eigen::Vector3d corner = Eigen::Vector3d::Constant(2.5 - size / 4);
+    mesh.points.push_back(corner);
+    for (int k = 0; k < 3; ++k) mesh.points.push_back(corner + size * Eigen::Vector3d::Unit(k));
+    mesh.tets.push_back({first, first + 1, first + 2, first + 3});
+    if (turned) std::swap(mesh.tets.back()[0], mesh.tets.back()[1]);
+  };
+  add(0.3, true);
+  add(0.1, false);
+  const Report report = verify::verify(mesh);
+  EXPECT_EQ(report[Check::inverted].count, 1);
+  EXPECT_EQ(report[Check::overlap].count, 0) << report_text(report);
+  EXPECT_GT(report[Check::overlap].consequences, 0) << report_text(report);
+}
+
 TEST(PlantedDefects, TwoOnOneSideOfAFace) {
   // Two positive tetrahedra with the same apex side: their common face is induced twice in the same
   // direction.
