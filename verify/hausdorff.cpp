@@ -224,18 +224,19 @@ class Search {
 
 constexpr std::size_t chunk = 256;  // of triangles of A, each starting without a guess
 
-// What one question to the tree, or none if the guess will do, says about each triangle of A.
+// What one question to the tree says about each triangle of A; or none, if the guess alone is within
+// `enough`.
 struct First {
   double lower, upper;
   Index nearest;
 };
 
-First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess, double accepted) {
+First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess, double enough) {
   const std::array<Point, 3> corners = a.corners(t);
-  if (accepted > 0 && guess >= 0 && t % 8 != 0) {
+  if (guess >= 0) {
     double squared = 0;
     for (const Point& p : corners) squared = std::max(squared, b.frame(guess).squared_distance(p));
-    if (const double upper = std::sqrt(squared) + distance_slack; upper <= accepted) return {0, upper, guess};
+    if (const double upper = std::sqrt(squared) + distance_slack; upper <= enough) return {0, upper, guess};
   }
   const TriangleTree::Nearest nearest = b.nearest((corners[0] + corners[1] + corners[2]) / 3, guess);
   const TriangleFrame& frame = b.frame(nearest.triangle);
@@ -283,14 +284,24 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
   double error = std::max(question.options.error / scale, least_error);
   const double accepted = question.only_decide ? question.allowed.value() / scale : 0;
 
+  // Every eighth triangle first. What they find spares most of the others the question: where the sets are
+  // far apart it is a dear one, and the guess's bound is below the largest distance known.
   std::vector<First> first(a.size());
-  tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
-    Index guess = -1;
-    for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
-      first[t] = first_look(a, b, static_cast<Index>(t), guess, accepted);
-      guess = first[t].nearest;
-    }
-  });
+  const auto look = [&](bool samples, double enough) {
+    tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
+      Index guess = -1;
+      for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
+        const bool sample = t % 8 == 0;
+        if (sample == samples) first[t] = first_look(a, b, static_cast<Index>(t), guess, enough);
+        if (sample || !samples) guess = first[t].nearest;
+      }
+    });
+  };
+  look(true, -1);
+  double known = 0;
+  for (std::size_t t = 0; t < a.size(); t += 8) known = std::max(known, first[t].lower);
+  const bool all_nearest = question.nearest && !question.only_decide;
+  look(false, all_nearest ? -1 : std::max(known > error ? known + error : -1, accepted));
   result.pieces = static_cast<std::int64_t>(a.size());
   double lower = -1;
   Point point = Point::Zero();
