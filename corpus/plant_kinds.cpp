@@ -56,8 +56,9 @@ bool PlantKind::has(std::string_view flag) const {
 const std::vector<PlantKind>& plant_kinds() {
   static const std::vector<PlantKind> all = [] {
     std::vector<PlantKind> kinds;
-    for (const auto& theme : {number_kinds(), orientation_kinds(), overlap_kinds(), contact_kinds(),
-                              conformity_kinds(), crack_kinds(), missing_kinds(), two_at_once()})
+    for (const auto& theme :
+         {number_kinds(), orientation_kinds(), push_kinds(), thin_kinds(), overlap_kinds(), copy_kinds(),
+          contact_kinds(), conformity_kinds(), crack_kinds(), missing_kinds(), two_at_once()})
       kinds.insert(kinds.end(), theme.begin(), theme.end());
     return kinds;
   }();

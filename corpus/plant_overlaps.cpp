@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: tetrahedra and whole components that lie in each other.
+// Kinds: tetrahedra that lie in each other.
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
 
 #include "corpus/plant_site.hpp"
 
@@ -60,44 +59,6 @@ bool tip(Site& s, double depth) {
   return true;
 }
 
-// How far apart two points of the mesh's place can be told from each other.
-double unit(const Site& s) {
-  return std::max(s.parts.low.cwiseAbs().maxCoeff(), s.parts.high.cwiseAbs().maxCoeff()) * 0x1p-52;
-}
-
-bool copy(Site& s, const Point& shift) {
-  s.add_copy([&](const Point& p) -> Point { return p + shift; });
-  return true;
-}
-
-// A copy whose lowest vertex in some direction is just below the highest of the mesh.
-bool tip_to_tip(Site& s, double depth) {
-  Index t = -1;
-  int corner = 0;
-  if (!s.some_boundary_face(t, corner)) return false;
-  const Point n = s.normal(s.face(t, corner)).normalized();
-  const auto higher = [&](const Point& p, const Point& q) { return n.dot(p) < n.dot(q); };
-  const auto [lowest, highest] =
-      std::minmax_element(s.parts.mesh.points.begin(), s.parts.mesh.points.end(), higher);
-  const Point aside = 0.25 * depth * s.direction();
-  return copy(s, *highest - *lowest - depth * n + aside);
-}
-
-bool nested(Site& s, double share, bool wound_negative) {
-  const Index t = s.some_tet();
-  if (t < 0) return false;
-  double least = s.parts.diagonal;
-  const Point center = s.centroid(t);
-  for (int corner = 0; corner < 4; ++corner) {
-    const Face face = s.face(t, corner);
-    least = std::min(least, s.normal(face).normalized().dot(s.at(face[0]) - center));
-  }
-  const double scale = share * least / s.parts.diagonal;
-  const Point middle = (s.parts.low + s.parts.high) / 2;
-  s.add_copy([&](const Point& p) -> Point { return center + scale * (p - middle); }, wound_negative);
-  return true;
-}
-
 bool tower(Site& s) {
   // Two tetrahedra on a boundary face, the second of which turns back into the mesh.
   Index t = -1;
@@ -151,7 +112,7 @@ bool in_a_cavity(Site& s) {
 }  // namespace
 
 std::vector<PlantKind> overlap_kinds() {
-  constexpr auto defective = Expected::defective, sound = Expected::sound, debatable = Expected::debatable;
+  constexpr auto defective = Expected::defective, debatable = Expected::debatable;
   const std::vector<const char*> either{"overlap", "boundary-self-intersection"},
       pinches{"boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"};
   return {
@@ -225,7 +186,7 @@ std::vector<PlantKind> overlap_kinds() {
        {"overlap"},
        "a tetrahedron outside, its tip in a boundary face by at most 1e-12 of the diagonal",
        [](Site& s) {
-         return tip(s, std::max(s.random.between(0.1, 1) * 1e-12 * s.parts.diagonal, unit(s)));
+         return tip(s, std::max(s.random.between(0.1, 1) * 1e-12 * s.parts.diagonal, s.unit()));
        }},
       {"near-contact",
        debatable,
@@ -234,7 +195,7 @@ std::vector<PlantKind> overlap_kinds() {
        {},
        "a tetrahedron outside, its tip less than 1e-12 of the diagonal above a boundary face",
        [](Site& s) {
-         return tip(s, -std::max(s.random.between(0.1, 0.8) * 1e-12 * s.parts.diagonal, unit(s)));
+         return tip(s, -std::max(s.random.between(0.1, 0.8) * 1e-12 * s.parts.diagonal, s.unit()));
        }},
       {"tower-into-mesh",
        defective,
@@ -243,59 +204,6 @@ std::vector<PlantKind> overlap_kinds() {
        pinches,
        "two tetrahedra on a boundary face, matching, of which the second reaches back into the mesh",
        tower},
-      {"blocks-interpenetrate",
-       defective,
-       {"overlap", "whole"},
-       either,
-       {},
-       "a second copy of the mesh, moved by a part of its size",
-       [](Site& s) { return copy(s, s.random.between(0.02, 0.4) * s.parts.diagonal * s.direction()); }},
-      {"blocks-interpenetrate-1e-12",
-       defective,
-       {"overlap", "whole", "rounding"},
-       either,
-       {"near-contact"},
-       "a second copy of the mesh beside it, in it by 1e-12 of the diagonal",
-       [](Site& s) { return tip_to_tip(s, std::max(1e-12 * s.parts.diagonal, 4 * unit(s))); }},
-      {"blocks-shifted-slightly",
-       defective,
-       {"overlap", "whole", "rounding"},
-       either,
-       {"near-contact"},
-       "a second copy of the mesh, moved by 1e-13 to 1e-6 of its size",
-       [](Site& s) {
-         return copy(s, std::max(s.magnitude(-43, -20) * s.parts.diagonal, 4 * unit(s)) * s.direction());
-       }},
-      {"copy-in-place",
-       defective,
-       {"overlap", "whole", "points"},
-       either,
-       {"duplicate-point", "crack"},
-       "a second copy of the mesh in the same place, with points of its own",
-       [](Site& s) {
-         return copy(s, {0, 0, 0});
-       }},
-      {"copy-beside",
-       sound,
-       {"control", "whole"},
-       {},
-       {},
-       "a second copy of the mesh well beside it: nothing is wrong",
-       [](Site& s) { return copy(s, 1.5 * s.parts.diagonal * s.direction()); }},
-      {"nested-component",
-       defective,
-       {"overlap", "whole"},
-       {"overlap"},
-       {},
-       "a small copy of the mesh inside one of its tetrahedra, where there should be a cavity",
-       [](Site& s) { return nested(s, 0.9, false); }},
-      {"nested-component-negative",
-       defective,
-       {"overlap", "orientation", "whole"},
-       {"inverted"},
-       {},
-       "a small copy of the mesh inside one of its tetrahedra, wound negative as if that made a cavity",
-       [](Site& s) { return nested(s, 0.9, true); }},
       {"filled-twice",
        defective,
        {"overlap"},

@@ -87,6 +87,10 @@ bool Site::free_star(Index v) const {
          std::all_of(tets_at(v).begin(), tets_at(v).end(), [&](Index t) { return free(t); });
 }
 
+double Site::unit() const {
+  return std::max(parts.low.cwiseAbs().maxCoeff(), parts.high.cwiseAbs().maxCoeff()) * 0x1p-52;
+}
+
 Point Site::within(Index t) {
   std::array<double, 4> weight;
   double sum = 0;
@@ -175,6 +179,30 @@ int Site::sign(const Tet& tet) const {
 void Site::remove(Index t) {
   removed[static_cast<std::size_t>(t)] = 1;
   for (const Index v : mesh.tets[static_cast<std::size_t>(t)]) vertices.push_back(v);
+}
+
+bool Site::step_through(const Face& face, Point& p, int wanted) const {
+  const auto side = [&] {
+    return orientation(at(face[0]), at(face[1]), at(face[2]), p);  // negative: inside
+  };
+  int axis = 0;
+  const Point n = normal(face);
+  n.cwiseAbs().maxCoeff(&axis);
+  const auto step = [&](int way) {
+    p[axis] = std::nextafter(p[axis], way * n[axis] > 0 ? INFINITY : -INFINITY);
+  };
+  for (int i = 0; i < 64 && side() >= 0; ++i) step(-1);
+  if (side() >= 0) return false;
+  if (wanted < 0) {
+    for (int i = 0; i < 64; ++i) {
+      const Point last = p;
+      step(1);
+      if (side() >= 0) return p = last, true;
+    }
+    return false;
+  }
+  for (int i = 0; i < 128 && side() < wanted; ++i) step(1);
+  return side() == wanted;
 }
 
 bool Site::split_edge(const std::vector<Index>& which, Index a, Index b, Index node) {

@@ -67,6 +67,7 @@ struct Site {
   std::vector<Index> around(Index a, Index b) const;  ///< tetrahedra at an edge
   bool free(Index t) const;
   bool free_star(Index v) const;        ///< all tetrahedra at the vertex are
+  double unit() const;                  ///< how far apart points of the mesh's place are at least
   Point within(Index t);                ///< a random point well inside
   Point direction();                    ///< random, of length 1
   double magnitude(int low, int high);  ///< random, from 2^low to 2^high, every power as likely
@@ -84,6 +85,9 @@ struct Site {
   Index add_positive(Tet tet);
   int sign(const Tet& tet) const;  ///< of its volume, exactly; 0 if it has none
   void remove(Index t);
+  /// Moves p by single steps of doubles along the steepest axis of the face until it is on its other side
+  /// (wanted 1) or in its plane (0); or to the last place before it (-1). False: not reached.
+  bool step_through(const Face& face, Point& p, int wanted) const;
   /// Replaces tetrahedra with the edge a b by two each, with the vertex `node` on it. False if one is not
   /// positive.
   bool split_edge(const std::vector<Index>& tets, Index a, Index b, Index node);
@@ -91,13 +95,12 @@ struct Site {
   void add_copy(const std::function<Point(const Point&)>& place, bool wound_negative = false);
 };
 
-inline double square(double x) {
-  return x * x;
-}
-
 // The kinds by theme.
 std::vector<PlantKind> number_kinds();       // plant_numbers.cpp
 std::vector<PlantKind> orientation_kinds();  // plant_orientation.cpp
+std::vector<PlantKind> push_kinds();         // plant_pushes.cpp
+std::vector<PlantKind> thin_kinds();         // plant_thin.cpp
+std::vector<PlantKind> copy_kinds();         // plant_copies.cpp
 std::vector<PlantKind> overlap_kinds();      // plant_overlaps.cpp
 std::vector<PlantKind> contact_kinds();      // plant_contacts.cpp
 std::vector<PlantKind> conformity_kinds();   // plant_conformity.cpp

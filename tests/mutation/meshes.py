@@ -65,6 +65,8 @@ def main():
         size = extent(vertices)
         if shutil.which("tetgen"):
             for name, switches in (("coarse", "-pQ"), ("quality", "-pqQ")):
+                if name == "quality" and len(triangles) > 3000:
+                    continue  # tens of thousands of tetrahedra say no more than thousands
                 shutil.copy(os.path.join(folder, stem + ".smesh"), os.path.join(folder, f"tetgen-{stem}-{name}.smesh"))
                 if run(["tetgen", switches, f"tetgen-{stem}-{name}.smesh"], folder):
                     made.append(f"tetgen-{stem}-{name}.1.ele")
