@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/element_types.hpp"
+#include "io/large_pages.hpp"
 
 namespace tetproof {
 namespace {
@@ -60,6 +61,7 @@ void view(const Document& document, Shape wanted, std::vector<Eigen::Vector3d>& 
   const std::vector<bool> kept = kept_nodes(document, wanted);
   std::vector<Index> position;
   if (kept.empty()) {
+    io::reserve_in_large_pages(points, document.points.size());
     points = document.points;
   } else {
     position.resize(kept.size());
@@ -71,7 +73,7 @@ void view(const Document& document, Shape wanted, std::vector<Eigen::Vector3d>& 
   std::size_t count = 0;
   for (const ElementBlock& block : document.blocks)
     if (has_shape(block, wanted)) count += block.count;
-  elements.reserve(count);
+  io::reserve_in_large_pages(elements, count);
   for (const ElementBlock& block : document.blocks) {
     if (!has_shape(block, wanted)) continue;
     const Index* nodes = document.connectivity.data() + block.nodes;
@@ -141,21 +143,32 @@ std::vector<std::int64_t> tet_regions(const Document& document) {
       std::find_if(document.element_values.begin(), document.element_values.end(), [&](const Values& values) {
         return document.format == "tetgen" && values.name == "attributes" && !values.reals.empty();
       });
-  std::vector<std::int64_t> regions;
+  std::vector<std::int64_t> regions;  // empty as long as all are like the first
+  std::int64_t first = 0;
+  std::size_t alike = 0;
+  const auto add = [&](std::int64_t region, std::size_t count) {
+    if (count == 0) return;
+    if (regions.empty() && alike == 0) first = region;
+    if (regions.empty() && region == first) {
+      alike += count;
+      return;
+    }
+    if (regions.empty()) regions.assign(alike, first);
+    regions.insert(regions.end(), count, region);
+  };
   for (const ElementBlock& block : document.blocks) {
     if (!has_shape(block, Shape::tetrahedron)) continue;
     if (attributes == document.element_values.end()) {
       const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-      regions.insert(regions.end(), block.count, groups.empty() ? block.entity : groups[0]);
+      add(groups.empty() ? block.entity : groups[0], block.count);
       continue;
     }
     for (std::size_t e = block.first; e < block.first + block.count; ++e) {
       const double attribute = attributes->reals[e * static_cast<std::size_t>(attributes->components)];
       if (!(std::abs(attribute) < 9e15) || attribute != std::floor(attribute)) return {};
-      regions.push_back(static_cast<std::int64_t>(attribute));
+      add(static_cast<std::int64_t>(attribute), 1);
     }
   }
-  if (std::equal(regions.begin() + !regions.empty(), regions.end(), regions.begin())) regions.clear();
   return regions;
 }
 

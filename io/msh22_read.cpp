@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/element_types.hpp"
+#include "io/large_pages.hpp"
 #include "io/msh22_plain.hpp"
 #include "io/msh_sections.hpp"
 #include "io/plain_lines.hpp"
@@ -113,7 +114,7 @@ class ElementReader {
   void take(PlainElements22& read) {
     std::size_t nodes = document_.connectivity.size();
     for (const auto& piece : read.pieces) nodes += piece.nodes.size();
-    document_.connectivity.reserve(nodes);
+    reserve_in_large_pages(document_.connectivity, nodes);
     for (auto& piece : read.pieces) {
       const Index* node = piece.nodes.data();
       const std::int64_t* tag = piece.tags.data();
@@ -268,7 +269,7 @@ bool read_plain_nodes(Numbers& in, std::size_t count, Document& document, Tags& 
   in.skip_blanks();
   const std::size_t first = document.points.size();
   std::vector<std::int64_t> read(count);
-  document.points.resize(first + count);
+  resize_in_large_pages(document.points, first + count);
   const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
     Eigen::Vector3d& p = document.points[first + i];
     return line.integer(read[i]) && line.real(p.x()) && line.real(p.y()) && line.real(p.z());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/element_types.hpp"
+#include "io/large_pages.hpp"
 #include "io/msh_sections.hpp"
 #include "io/plain_lines.hpp"
 
@@ -69,7 +70,7 @@ void read_entity_of(Numbers& in, bool v40, Block& block) {
 bool read_plain_tags(Numbers& in, std::size_t count, std::vector<std::int64_t>& tags) {
   if (in.binary() || count < least_plain_lines) return false;
   in.skip_blanks();
-  tags.resize(count);
+  resize_in_large_pages(tags, count);
   const auto behind = read_plain_lines(in.text(), in.offset(), count,
                                        [&](PlainLine& line, std::size_t i) { return line.integer(tags[i]); });
   if (behind) in.go_to(*behind);
@@ -99,7 +100,7 @@ bool read_plain_block(Numbers& in, std::size_t count, int each, Index* nodes, co
                       std::vector<std::int64_t>& tags) {
   if (in.binary() || count < least_plain_lines) return false;
   in.skip_blanks();
-  tags.resize(count);
+  resize_in_large_pages(tags, count);
   const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
     if (!line.integer(tags[i])) return false;
     for (Index* node = nodes + i * each; node < nodes + (i + 1) * each; ++node) {
@@ -165,7 +166,7 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
   Tags tags(document.node_tags, document.first_node);
   const std::size_t before = document.points.size();
   check_node_count(in, before + total);
-  document.points.reserve(before + total);
+  reserve_in_large_pages(document.points, before + total);
   for (std::int64_t b = 0; b < blocks; ++b) {
     NodeBlock block;
     read_entity_of(in, v40, block);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/document.hpp"
+#include "io/large_pages.hpp"
 #include "io/node_index.hpp"
 #include "io/numbers.hpp"
 #include "io/tag_sets.hpp"
@@ -33,7 +34,7 @@ void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document
 template <class T>
 std::size_t append(std::vector<T>& numbers, std::size_t more) {
   const std::size_t start = numbers.size();
-  if (start + more > numbers.capacity() && start > 0) numbers.reserve(std::max(start + more, 2 * start));
+  if (start + more > numbers.capacity()) reserve_in_large_pages(numbers, std::max(start + more, 2 * start));
   numbers.resize(start + more);
   return start;
 }

@@ -10,6 +10,7 @@
 
 #include "io/error.hpp"
 #include "io/input_file.hpp"
+#include "io/large_pages.hpp"
 #include "io/node_index.hpp"
 #include "io/plain_lines.hpp"
 #include "io/tetgen.hpp"
@@ -200,7 +201,7 @@ void read_nodes(const InputFile& file, Document& document) {
   Values values = attributes(in, count, attributes_each);
   Values markers{.name = "markers", .components = 1, .reals = {}, .integers = {}};
   if (marked) markers.integers.assign(count, 0);
-  document.points.resize(count);
+  resize_in_large_pages(document.points, static_cast<std::size_t>(count));
   const std::size_t start = in.next_line();
   const bool plain = read_plain_nodes(file, start, marked, document, values, markers);
   if (!plain) document.points.clear();
@@ -230,7 +231,8 @@ bool read_plain_elements(const InputFile& file, std::size_t offset, std::int64_t
                          const NodeIndex& index, Index* nodes, Values& values, Tags& tags) {
   if (count < least_plain_lines) return false;
   const auto attributes_each = static_cast<std::size_t>(values.components);
-  std::vector<std::int64_t> numbers(count);
+  std::vector<std::int64_t> numbers;
+  resize_in_large_pages(numbers, count);
   const auto behind = read_plain_lines(file.bytes(), offset, count, [&](PlainLine& line, std::size_t i) {
     if (!line.integer(numbers[i])) return false;
     Index* const mine = nodes + static_cast<std::int64_t>(i) * each;
@@ -262,7 +264,7 @@ void read_elements(const InputFile& file, Document& document) {
   NodeIndex index(document);
   Tags tags(document.element_tags, document.first_element);
   document.first_element = document.first_node;
-  document.connectivity.resize(static_cast<std::size_t>(count) * each);
+  resize_in_large_pages(document.connectivity, static_cast<std::size_t>(count) * each);
   Index* nodes = document.connectivity.data();
   const bool plain = read_plain_elements(file, in.next_line(), each, static_cast<std::size_t>(count), index,
                                          nodes, values, tags);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Large arrays in large pages of memory: faulting a mesh in by pages of 4 KiB takes as long as reading it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace tetproof::io {
+
+/// Asks the system for large pages where this memory, not yet written to, has room for them. Costs nothing
+/// where there are none.
+void prefer_large_pages(void* memory, std::size_t bytes);
+
+/// Room for `count` items in all.
+template <class T>
+void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
+  if (count <= items.capacity()) return;
+  items.reserve(count);
+  prefer_large_pages(items.data(), items.capacity() * sizeof(T));
+}
+
+/// `count` items, each T().
+template <class T>
+void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
+  reserve_in_large_pages(items, count);
+  items.resize(count);
+}
+
+}  // namespace tetproof::io
