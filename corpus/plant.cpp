@@ -104,12 +104,13 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
   return planted;
 }
 
+// In one place the truth alone decides: nothing there may hang on rounding.
 const PlantKind& any_local_kind(Random& random, bool together) {
   const auto& all = plant_kinds();
   for (;;) {
     const PlantKind& kind = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
     if (kind.mutate && kind.expected && !kind.has("whole") &&
-        !(together && (kind.has("slit") || kind.has("rounding"))))
+        !(together && (kind.has("conformity") || kind.has("rounding"))))
       return kind;
   }
 }

@@ -281,7 +281,7 @@ std::vector<PlantKind> conformity_kinds() {
        crossed_bent},
       {"split-edge",
        sound,
-       {"control"},
+       {"control", "conformity"},
        {},
        {},
        "all tetrahedra around an edge are cut at its middle: nothing is wrong",

@@ -16,6 +16,7 @@ bool crack(Site& s, const std::vector<std::uint8_t>& side,
   for (Index t = 0; t < s.tets(); ++t) {
     if (!side[static_cast<std::size_t>(t)]) continue;
     for (Index& v : s.mesh.tets[static_cast<std::size_t>(t)]) {
+      if (v < 0 || v >= static_cast<Index>(s.parts.mesh.points.size())) continue;  // of another planting
       const auto& star = s.tets_at(v);
       if (std::all_of(star.begin(), star.end(),
                       [&](Index u) { return side[static_cast<std::size_t>(u)] != 0; }))
