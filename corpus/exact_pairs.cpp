@@ -39,7 +39,6 @@ std::vector<Axis> axes(const std::array<Eigen::Vector3d, 8>& p) {
     for (const auto& f : tet_faces) add(base + f[0], base + f[1], base + f[0], base + f[2]);
   for (const auto& e : edges)
     for (const auto& f : edges) add(e[0], e[1], 4 + f[0], 4 + f[1]);
-  std::stable_sort(found.begin(), found.end(), [](const Axis& x, const Axis& y) { return x.gap > y.gap; });
   return found;
 }
 
@@ -82,7 +81,13 @@ Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners
   };
 
   Meeting result;
-  for (const Axis& axis : axes(points)) {
+  // The widest gap first: most often it settles the matter.
+  std::vector<Axis> left = axes(points);
+  while (!left.empty()) {
+    const auto widest = std::max_element(left.begin(), left.end(),
+                                         [](const Axis& x, const Axis& y) { return x.gap < y.gap; });
+    const Axis axis = *widest;
+    left.erase(widest);
     const IntegerPoint n = cross(p[axis.ends[1]] - p[axis.ends[0]], p[axis.ends[3]] - p[axis.ends[2]]);
     if (n == IntegerPoint{0, 0, 0}) continue;
     const int lower = axis.flipped ? 4 : 0, upper = 4 - lower;

@@ -76,7 +76,9 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
   Planted planted;
   planted.mesh = std::move(result.mesh);
   const bool whole = result.changed.size() * 4 > planted.mesh.tets.size();
-  planted.truth = truth(planted.mesh, result.changed, whole ? 16 : 64);
+  // Of many tetrahedra, pairs only where single ones do not settle what is asked.
+  planted.truth = truth(planted.mesh, result.changed, whole ? 0 : 64);
+  if (whole && planted.truth.negative.empty()) planted.truth = truth(planted.mesh, result.changed, 16);
   if (!keeps_promise(kinds, together, planted)) return std::nullopt;
   std::vector<PlantedRoot> places(kinds.size());
   for (std::size_t i = 0; i < result.tets.size(); ++i)

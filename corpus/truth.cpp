@@ -161,6 +161,10 @@ class Brute {
   }
 
   void pairs(std::span<const Index> asked) {
+    if (most_ == 0) {
+      truth.all = false;
+      return;
+    }
     std::vector<std::array<Eigen::Vector3d, 2>> boxes(mesh_.tets.size());
     for (Index t = 0; t < count(); ++t) {
       if (!usable(t)) continue;

@@ -24,12 +24,12 @@ struct Truth {
   std::vector<Index> out_of_range, not_finite, repeating;  ///< tetrahedra that name no point, a point whose
                                                            ///< coordinates are not finite, a point twice
   // Of all other tetrahedra:
-  std::vector<std::vector<Index>> duplicates;          ///< with the same four vertices
-  std::vector<Index> negative, flat;                   ///< exactly; of those that were asked for
-  std::vector<std::vector<Index>> thrice;              ///< three or more on the same three vertices
-  std::vector<std::array<Index, 2>> one_sided;         ///< two that induce the same orientation on a face
-  std::vector<std::array<Index, 2>> coinciding_faces;  ///< faces of one tetrahedron each in the same place,
-                                                       ///< not of the same numbers, seen from opposite sides
+  std::vector<std::vector<Index>> duplicates;           ///< with the same four vertices
+  std::vector<Index> negative, flat;                    ///< exactly; of those that were asked for
+  std::vector<std::vector<Index>> thrice;               ///< three or more on the same three vertices
+  std::vector<std::array<Index, 2>> one_sided;          ///< two that induce the same orientation on a face
+  std::vector<std::array<Index, 2>> coinciding_faces;   ///< faces of one tetrahedron each in the same place,
+                                                        ///< not of the same numbers, seen from opposite sides
   std::vector<std::array<Index, 2>> nonmanifold_edges;  ///< with more than two faces of one tetrahedron
   std::vector<Index> nonmanifold_vertices;              ///< whose such faces form more than one fan
   std::vector<std::array<Index, 2>> equal_points;       ///< in the same place, finite; each with the first
@@ -49,8 +49,8 @@ struct Truth {
 };
 
 /// Looks at the tetrahedra `asked` and all pairs with one of them, and stops looking for pairs when
-/// `most_pairs` were found. Time: `asked` x all tetrahedra for their boxes, some 10 microseconds for each
-/// pair of boxes that meet.
+/// `most_pairs` were found (0: looks for none). Time: `asked` x all tetrahedra for their boxes, some 10
+/// microseconds for each pair of boxes that meet.
 Truth truth(const TetMesh& mesh, std::span<const Index> asked, std::size_t most_pairs = 64);
 /// Of all tetrahedra.
 Truth truth(const TetMesh& mesh);
