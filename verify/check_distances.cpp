@@ -141,6 +141,9 @@ Comparison::Comparison(const Judgement& j, const TriangleSurface& surface_, cons
 }
 
 void check_distances(Judgement& j, Comparison& c) {
+  if (!j.wants(Check::off_surface_vertex) && !j.wants(Check::mesh_to_surface) &&
+      !j.wants(Check::surface_to_mesh) && !j.wants(Check::normals))
+    return;
   const bool coarse = j.options.coarse;
   DistanceQuestion question{
       .options = {.error = j.options.fidelity > 0 ? c.allowed / 10 : 1e-4 * c.mesh_tree->units().diagonal,

@@ -119,6 +119,21 @@ TEST(Fidelity, ThePartThatIsMissingIsFarFromTheMesh) {
   EXPECT_EQ(coarse[Check::mesh_to_surface].verdict, Verdict::pass);
 }
 
+TEST(Fidelity, OnlyWhatIsAskedForIsMeasured) {
+  const TetMesh mesh = lattice_mesh({2, 2, 2});
+  const auto judged = [&](std::vector<std::string> checks) {
+    return verify::verify(mesh, boundary_surface(mesh),
+                          {.region = Region::inside, .voxels = 0, .check = checks});
+  };
+  EXPECT_FALSE(judged({"topology"}).fidelity);
+  const Report one = judged({"surface-to-mesh"});
+  ASSERT_TRUE(one.fidelity);
+  EXPECT_FALSE(one.fidelity->mesh_to_surface);
+  EXPECT_EQ(one.fidelity->surface_to_mesh, 0.0);
+  EXPECT_EQ(one[Check::mesh_to_surface].verdict, Verdict::skipped);
+  EXPECT_EQ(one[Check::surface_to_mesh].verdict, Verdict::pass);
+}
+
 TEST(Normals, ThinPlatesEdgesAndCornersAreNoFalseAlarm) {
   const TetMesh plate = lattice_mesh({8, 8, 1});
   TetMesh thin = plate;
