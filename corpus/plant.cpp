@@ -103,6 +103,10 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
       if (!demand(*kinds[i], planted, std::move(places[i]))) return std::nullopt;
   }
   admit_warnings(planted, site.parts.warned);
+  // What rounding flattened beside what was meant is another kind.
+  if (!together && !planted.truth.flat.empty() &&
+      std::find(planted.admissible.begin(), planted.admissible.end(), "flat") == planted.admissible.end())
+    return std::nullopt;
   return planted;
 }
 

@@ -96,7 +96,7 @@ std::vector<PlantKind> copy_kinds() {
        defective,
        {"overlap", "orientation", "whole"},
        {"inverted"},
-       {},
+       {"flat"},
        "a small copy of the mesh inside one of its tetrahedra, wound negative as if that made a cavity",
        [](Site& s) { return nested(s, 0.9, true); }},
   };
