@@ -103,9 +103,14 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
       if (!demand(*kinds[i], planted, std::move(places[i]))) return std::nullopt;
   }
   admit_warnings(planted, site.parts.warned);
-  // What rounding flattened beside what was meant is another kind.
-  if (!together && !planted.truth.flat.empty() &&
-      std::find(planted.admissible.begin(), planted.admissible.end(), "flat") == planted.admissible.end())
+  // What rounding flattened or turned over beside what was meant is another kind. (Of a tetrahedron twice one
+  // may be negative.)
+  const auto admitted = [&](const char* id) {
+    return together ||
+           std::find(planted.admissible.begin(), planted.admissible.end(), id) != planted.admissible.end();
+  };
+  if (!planted.truth.flat.empty() && !admitted("flat")) return std::nullopt;
+  if (!planted.truth.negative.empty() && planted.truth.duplicates.empty() && !admitted("inverted"))
     return std::nullopt;
   return planted;
 }
