@@ -139,13 +139,16 @@ void find_meetings(Judgement& j, const Near& near, const std::vector<std::uint8_
   if (!nearness && !j.wants(Check::boundary_self_intersection) && !j.wants(Check::overlap)) return;
   j.meetings = self_intersections(j.mesh.points, j.boundary.boundary_triangles(), degenerate, most_pairs,
                                   nearness ? &near : nullptr);
-  if (!j.meetings.more) return;
+  const bool more = j.meetings.more;
+  if (!more && !j.meetings.more_near) return;
   for (const Check check : {Check::hanging_node, Check::crossed_diagonal, Check::near_contact})
     j.asked[static_cast<std::size_t>(check)] = false;
   j.report.notes.push_back(
-      fmt::format("more than {} pairs of boundary faces meet: some of them are named; hanging nodes, crossed "
-                  "diagonals and near contacts were not searched for, and overlaps only among those",
-                  most_counted_pairs));
+      fmt::format("more than {} pairs of boundary faces {}: {}hanging nodes, crossed diagonals and near "
+                  "contacts were not "
+                  "searched for{}",
+                  most_counted_pairs, more ? "meet" : "are near each other",
+                  more ? "some of them are named; " : "", more ? ", and overlaps only among those" : ""));
 }
 
 void check_conformity(Judgement& j, const Near& near, const std::vector<Index>& covered) {

@@ -104,6 +104,18 @@ std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> po
 
 struct TooManyPairs {};
 
+// Counts up to most_counted_pairs, from many threads, and then ends the search.
+class Counter {
+ public:
+  void count_one() {
+    if (count_.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
+  }
+  bool too_many() const { return count_ > most_counted_pairs; }
+
+ private:
+  std::atomic<std::int64_t> count_ = 0;
+};
+
 }  // namespace
 
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
@@ -130,10 +142,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
   const std::optional<Nearby> nearby =
       near ? std::optional<Nearby>(std::in_place, points, triangles, *near) : std::nullopt;
   std::mutex joining;
-  std::atomic<std::int64_t> total = 0;
-  const auto count_one = [&] {
-    if (total.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
-  };
+  Counter met, near_pairs;
   tbb::parallel_for(
       std::size_t{0}, slabs.splits.size() + 1,
       [&](std::size_t slab) {
@@ -148,11 +157,12 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
           if (meeting) {
             ++found.count;
-            count_one();
+            met.count_one();
             add(found.pairs, std::array<Index, 2>{low, high}, most);
           }
           if (!nearby) return;
           const PairNearness pair = nearby->look(x, y, meeting);
+          if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs.count_one();
           for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], most);
           if (pair.near) {
             ++found.near_count;
@@ -184,7 +194,12 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
       },
       tbb::simple_partitioner());
   // Whether there are too many does not depend on the threads; which were found first does.
-  if (total > most_counted_pairs)
+  if (near && near_pairs.too_many()) {
+    result = self_intersections(points, triangles, excluded, most);
+    result.more_near = true;
+    return result;
+  }
+  if (met.too_many())
     return {.more = true,
             .count = most_counted_pairs,
             .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};

@@ -15,8 +15,8 @@
 
 namespace tetproof::verify {
 
-/// The search ends at so many pairs that meet: there are quadratically many in a mesh of random
-/// numbers.
+/// The search ends at so many pairs that meet, and that for what is near at so many of those: there are
+/// quadratically many in a mesh of random numbers.
 inline constexpr std::int64_t most_counted_pairs = 1'000'000;
 
 /// All lists ascend, and hold the first `most` at most.
@@ -25,6 +25,7 @@ struct Intersections {
                            ///< `pairs` are kept
   std::int64_t count = 0;  ///< of pairs that meet
   std::vector<std::array<Index, 2>> pairs;  ///< those, lower triangle first
+  bool more_near = false;  ///< more than most_counted_pairs are near: what follows is not told
   // Only when asked for what is near:
   std::vector<Contact> contacts;  ///< each once; of triangles that meet, too
   std::vector<std::array<Index, 2>>

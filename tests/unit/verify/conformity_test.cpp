@@ -408,6 +408,19 @@ TEST(NearContact, EdgesThatAllButTouch) {
   }
 }
 
+// A block so small beside another that all its faces are near each other, quadratically many pairs: what is
+// near is then not told, and all the rest is.
+TEST(NearContact, ACrowdOfTinyFacesEndsTheSearch) {
+  const Report report = verify::verify(
+      together(lattice_mesh({2, 2, 2}, {}, {1, 0, 0}), lattice_mesh({12, 12, 12}, {}, {0, 0, 0}, 1e-14)));
+  EXPECT_EQ(report.certificate, true) << report_text(report);
+  EXPECT_EQ(report[Check::near_contact].verdict, Verdict::skipped);
+  EXPECT_EQ(report[Check::hanging_node].verdict, Verdict::skipped);
+  EXPECT_EQ(report[Check::boundary_self_intersection].verdict, Verdict::pass);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_THAT(report.notes[0], testing::StartsWith("more than 1000000 pairs of boundary faces are near"));
+}
+
 TEST(NearContact, ShortEdgesAreNone) {
   // A lattice with a plane of cells as thin as 1e-14 of it: everything there is near everything, and hangs
   // together.
