@@ -255,7 +255,7 @@ void check_overlap_of_some(Judgement& j) {
     finding.point = both->point, finding.point_exact = both->exact;
     shared.push_back(std::move(finding));
   }
-  if (shared.empty()) j.asked[static_cast<std::size_t>(Check::overlap)] = false;
+  if (shared.empty()) j.skip({Check::overlap});
   const std::size_t count = shared.size();
   j[Check::overlap] = {count, [shared = std::move(shared)](std::size_t i) { return shared[i]; },
                        [](std::size_t, Finding&) {}};

@@ -141,8 +141,7 @@ void find_meetings(Judgement& j, const Near& near, const std::vector<std::uint8_
                                   nearness ? &near : nullptr);
   const bool more = j.meetings.more;
   if (!more && !j.meetings.more_near) return;
-  for (const Check check : {Check::hanging_node, Check::crossed_diagonal, Check::near_contact})
-    j.asked[static_cast<std::size_t>(check)] = false;
+  j.skip({Check::hanging_node, Check::crossed_diagonal, Check::near_contact});
   j.report.notes.push_back(
       fmt::format("more than {} pairs of boundary faces {}: {}hanging nodes, crossed diagonals and near "
                   "contacts were not "

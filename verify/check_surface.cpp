@@ -33,10 +33,6 @@ Suspects one_if(bool found, std::string what) {
           [what = std::move(what)](std::size_t, Finding& finding) { finding.what = what; }};
 }
 
-void skip(Judgement& j, std::initializer_list<Check> checks) {
-  for (const Check check : checks) j.asked[static_cast<std::size_t>(check)] = false;
-}
-
 // volume-surface, volume-voxel.
 void check_volumes(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
                    const SurfaceJudgement& judged, const std::vector<int>& own) {
@@ -63,13 +59,13 @@ void check_volumes(Judgement& j, const MeshVolumes& volumes, const TriangleSurfa
                fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
                            *report.volume.mesh, std::abs(difference), difference < 0 ? "less" : "more"));
   }
-  if (j.options.voxels == 0) j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+  if (j.options.voxels == 0) j.skip({Check::volume_voxel});
   if (!j.wants(Check::volume_voxel)) return;
   VoxelVolume voxels;
   try {
     voxels = voxel_volume(surface, j.options.voxels);
   } catch (const VoxelRangeError& error) {
-    j.asked[static_cast<std::size_t>(Check::volume_voxel)] = false;
+    j.skip({Check::volume_voxel});
     report.notes.push_back(fmt::format("no voxel account: {}", error.what()));
     return;
   }
@@ -93,8 +89,8 @@ void check_volumes(Judgement& j, const MeshVolumes& volumes, const TriangleSurfa
 // Distances, normals, and regions that are missing or too much.
 void compare(Judgement& j, Comparison& comparison, const std::vector<int>& own) {
   if (!comparison.mesh_tree) {
-    skip(j, {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::topology,
-             Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
+    j.skip({Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::topology,
+            Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
     j.report.notes.push_back(
         "distances were not measured, components not paired: doubles cannot measure the box of mesh and "
         "surface");
@@ -102,12 +98,12 @@ void compare(Judgement& j, Comparison& comparison, const std::vector<int>& own) 
   }
   check_distances(j, comparison);
   if (j.wants(Check::normals)) check_normals(j, comparison);
-  if (j.options.voxels == 0) skip(j, {Check::missing_region, Check::excess_region});
+  if (j.options.voxels == 0) j.skip({Check::missing_region, Check::excess_region});
   if (!j.wants(Check::missing_region) && !j.wants(Check::excess_region)) return;
   try {
     check_missing_and_excess(j, comparison, own);
   } catch (const VoxelRangeError& error) {
-    skip(j, {Check::missing_region, Check::excess_region});
+    j.skip({Check::missing_region, Check::excess_region});
     j.report.notes.push_back(fmt::format("missing and excess regions were not looked for: {}", error.what()));
   }
 }
@@ -151,18 +147,18 @@ void check_against_surface(Judgement& j, const MeshVolumes& volumes, const Trian
   std::vector<int> own(volumes.all.size() - 1, 0);
   if (whole) own = own_sheets(j);
   if (!whole) {
-    j.asked[static_cast<std::size_t>(Check::topology)] = false;
+    j.skip({Check::topology});
     report.notes.push_back(
         "the topology was not compared with the surface's: the boundary is not closed, or faces do not "
         "match");
   }
   if (!whole && j.options.region == Region::outside) {
-    skip(j, {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
-             Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
+    j.skip({Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
+            Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
     return;
   }
 
-  if (j.options.coarse) j.asked[static_cast<std::size_t>(Check::normals)] = false;
+  if (j.options.coarse) j.skip({Check::normals});
   Comparison comparison(j, surface, judged, own);
   if (j.wants(Check::topology) && comparison.mesh_tree) check_topology(j, volumes, comparison);
   compare(j, comparison, own);

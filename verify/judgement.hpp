@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "verify/boundary.hpp"
@@ -32,6 +33,9 @@ struct Judgement {
   Report report{};
 
   bool wants(Check check) const { return asked[static_cast<std::size_t>(check)]; }
+  void skip(std::initializer_list<Check> checks) {
+    for (const Check check : checks) asked[static_cast<std::size_t>(check)] = false;
+  }
   Suspects& operator[](Check check) { return suspects[static_cast<std::size_t>(check)]; }
 };
 
