@@ -65,7 +65,7 @@ std::pair<std::int64_t, std::int64_t> range(const std::vector<std::int64_t>& tag
 
 const char* shape_of(int type) {
   static constexpr const char* names[] = {"point",      "line",  "triangle", "quadrangle", "tetrahedron",
-                                          "hexahedron", "prism", "pyramid",  "other"};
+                                          "hexahedron", "prism", "pyramid",  "polygon",    "other"};
   const io::ElementType* known = io::element_type(type);
   return names[static_cast<int>(known ? known->shape : io::Shape::other)];
 }

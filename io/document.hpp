@@ -23,8 +23,9 @@ struct ElementBlock {
   std::int32_t partitions = 0;  ///< likewise; a negative one is a ghost
   std::int32_t nodes_each = 4;
   std::size_t count = 0;
-  std::size_t first = 0;  ///< position of its first element
-  std::size_t nodes = 0;  ///< where its connectivity starts in `Document::connectivity`
+  std::size_t first = 0;     ///< position of its first element
+  std::size_t nodes = 0;     ///< where its connectivity starts in `Document::connectivity`
+  bool of_boundary = false;  ///< a polygon of TetGen's .poly or .smesh: what to mesh, not a face of the mesh
 };
 
 /// A run of nodes of one entity; nodes that no block covers belong to none.
@@ -62,13 +63,105 @@ struct GroupName {
   std::string name;
 };
 
-/// Named values, `components` for each node or for each element; `reals` or `integers`, the other one is
-/// empty.
+/// Named values, `components` for each item: a node, an element, or a node of an element. `reals` or
+/// `integers`, the other one is empty.
 struct Values {
   std::string name;
   int components = 1;
   std::vector<double> reals;
   std::vector<std::int64_t> integers;
+  std::vector<std::string> labels;  ///< names of the integers: 0 is `labels[0]`; empty: they are just numbers
+
+  // Of which nodes or elements: those listed in `at`, or else `items()` of them from `first` on.
+  std::size_t first = 0;
+  std::vector<Index> at;            ///< positions; -1-k: the number `Document::unknown[k]`, which none has
+  std::vector<std::int32_t> nodes;  ///< values of elements' nodes: for each element, of how many nodes
+
+  // Of a step of a view, as Gmsh's sections of data tell it.
+  bool of_view = false;
+  double time = 0;
+  std::int64_t step = 0, partition = 0;
+  std::string interpolation;  ///< the name of its interpolation scheme
+
+  std::size_t size() const { return reals.empty() ? integers.size() : reals.size(); }
+  /// How many nodes or elements have values.
+  std::size_t items() const {
+    return !nodes.empty() ? nodes.size()
+           : !at.empty()  ? at.size()
+                          : size() / static_cast<std::size_t>(components > 0 ? components : 1);
+  }
+};
+
+/// An entity whose nodes are those of another one, moved.
+struct PeriodicLink {
+  int dim = 0;
+  std::int64_t entity = 0, master = 0;
+  std::vector<double> affine;               ///< 16 numbers row by row, or none
+  std::vector<std::array<Index, 2>> nodes;  ///< positions of each node and its master; negative as in `at`
+};
+
+/// An element that other partitions see as a ghost.
+struct GhostElement {
+  Index element = 0;  ///< position; negative as in `Values::at`
+  std::int64_t partition = 0;
+  std::vector<std::int64_t> ghosts;  ///< partitions
+};
+
+/// A facet of TetGen's .poly that is more than one polygon: `polygons` elements from `first` on, of which a
+/// line is an edge and a point a vertex in its plane; and a point in each of its holes.
+struct Facet {
+  std::size_t first = 0, polygons = 1;
+  std::vector<Eigen::Vector3d> holes;
+};
+
+/// A point in a region of TetGen's .poly, and what it says of it.
+struct Region {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double attribute = 0, max_volume = -1;  ///< a bound that is not positive: none
+};
+
+/// TetGen's .var: an upper bound for the area of the triangles of a facet, or for the length of a segment.
+struct AreaBound {
+  std::int64_t marker = 0;
+  double area = 0;
+};
+struct LengthBound {
+  std::array<Index, 2> nodes{};  ///< negative as in `Values::at`
+  double length = 0;
+};
+
+/// The Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell. Positions count from 0; -1: none.
+struct Voronoi {
+  struct Edge {
+    std::array<Index, 2> points{};                        ///< the second -1: a ray
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of a ray
+  };
+  struct Face {
+    std::array<Index, 2> cells{};  ///< a cell is that of the node with this position
+    std::vector<Index> edges;      ///< a last -1: it is open
+  };
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+  std::vector<std::vector<Index>> cells;  ///< faces; a last -1: it is open
+  std::int64_t first = 0;                 ///< numbered from here on in the files
+};
+
+/// A column of a table: numbers, or where `lengths` is not empty a list of so many of them in each row.
+struct Column {
+  std::string name, type;  ///< the type as its file calls it: "float", "int32", "Float64", ...
+  int components = 1;
+  std::vector<double> reals;  ///< reals, integers or texts, the others are empty
+  std::vector<std::int64_t> integers;
+  std::vector<std::string> texts;
+  std::vector<std::int32_t> lengths;
+};
+
+/// What a PLY file says of other things than vertices and faces, or VTK's field data.
+struct Table {
+  std::string name;
+  std::size_t rows = 0;
+  std::vector<Column> columns;
 };
 
 /// A section of a .msh file that is kept as it stood.
@@ -86,6 +179,7 @@ struct Section {
 struct Document {
   std::string path;    ///< the file, for messages; empty for none
   std::string format;  ///< "msh22", "tetgen", "stl", ...; empty when no file was read
+  std::string title;   ///< VTK's second line, the header of a binary STL; comments of PLY line by line
 
   std::vector<Eigen::Vector3d> points;
   std::vector<std::int64_t> node_tags;  ///< empty: numbered from `first_node` on
@@ -105,8 +199,20 @@ struct Document {
   std::int64_t partitions = 0;  ///< how many; 0: not partitioned
   std::vector<GhostEntity> ghosts;
   std::vector<GroupName> group_names;
-  std::vector<Values> node_values;     ///< of all nodes; TetGen's are called "attributes" and "markers"
-  std::vector<Values> element_values;  ///< of all elements, in their order
+  std::vector<GhostElement> ghost_elements;
+  std::vector<PeriodicLink> periodic;
+
+  // TetGen's are called "attributes" and "markers", and what io/tetgen.hpp says.
+  std::vector<Values> node_values, element_values, element_node_values;
+
+  std::vector<Facet> facets;  ///< those of more than one polygon, or with holes
+  std::vector<Eigen::Vector3d> holes;
+  std::vector<Region> regions;
+  std::vector<AreaBound> area_bounds;
+  std::vector<LengthBound> length_bounds;
+  Voronoi voronoi;
+
+  std::vector<Table> tables;
   std::vector<Section> sections;
 
   std::vector<std::string> warnings;  ///< legal but suspicious, each with its place
@@ -129,8 +235,8 @@ TetMesh tet_mesh(const Document&);
 Numbering numbering(const Document&);
 
 /// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, its entity
-/// where it has none; TetGen's first attribute. Empty where all are in one region, or attributes are not whole
-/// numbers.
+/// where it has none; TetGen's first attribute. Empty where all are in one region, or attributes are not
+/// whole numbers.
 std::vector<std::int64_t> tet_regions(const Document&);
 
 /// All triangles of any order, by their corners; vertices are the document's nodes without those that

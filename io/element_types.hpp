@@ -4,7 +4,7 @@
 
 namespace tetproof::io {
 
-enum class Shape { point, line, triangle, quadrangle, tetrahedron, hexahedron, prism, pyramid, other };
+enum class Shape { point, line, triangle, quadrangle, tetrahedron, hexahedron, prism, pyramid, polygon, other };
 
 struct ElementType {
   int type;  ///< Gmsh's number
@@ -17,6 +17,9 @@ struct ElementType {
 /// The type with Gmsh's number `type`; null when it is not known, or its number of nodes varies.
 const ElementType* element_type(int type);
 
-inline constexpr int triangle3 = 2, tetrahedron4 = 4, triangle6 = 9, tetrahedron10 = 11;
+inline constexpr int point1 = 15, line2 = 1, line3 = 8, triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4,
+                     triangle6 = 9, tetrahedron10 = 11;
+/// A polygon of any number of nodes; `element_type` does not know it, since a block says how many.
+inline constexpr int polygon = 34;
 
 }  // namespace tetproof::io

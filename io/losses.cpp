@@ -89,6 +89,8 @@ const char* name_of(Shape shape) {
       return "prisms";
     case Shape::pyramid:
       return "pyramids";
+    case Shape::polygon:
+      return "polygons";
     case Shape::other:
       break;
   }
