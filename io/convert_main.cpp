@@ -6,6 +6,7 @@
 
 #include "io/describe.hpp"
 #include "io/error.hpp"
+#include "io/gmsh_import.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
@@ -79,11 +80,15 @@ int main(int argc, char** argv) {
            "  tetproof-convert grid.1.node grid.msh --binary    Gmsh 4.1, binary\n"
            "  tetproof-convert grid.msh old.msh --to msh22\n"
            "  tetproof-convert grid.msh grid.vtu --strict       exit 1 and no file if anything is lost\n"
-           "  tetproof-convert --info grid.msh\n",
+           "  tetproof-convert --info grid.msh\n"
+           "  tetproof-convert part.step part.msh               what only Gmsh reads; geometry is meshed\n",
        .libraries = {}},
       [&](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto choices = std::make_shared<Choices>();
-        app.add_option("IN", choices->in, "a mesh or a surface: .msh, .node, .ele, .stl, .off, .obj, .ply")
+        app.add_option(
+               "IN", choices->in,
+               fmt::format("a mesh or a surface: .msh .node .ele .stl .off .obj .ply; through Gmsh: {}",
+                           fmt::join(io::gmsh_endings(), " ")))
             ->required();
         app.add_option("OUT", choices->out, "the file to write; its ending says the format");
         app.add_option("--to", choices->write.format, "the format, when OUT's ending does not tell: " + names)

@@ -7,6 +7,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/error.hpp"
+#include "io/gmsh_import.hpp"
 #include "io/input_file.hpp"
 #include "io/msh.hpp"
 #include "io/surface_files.hpp"
@@ -99,6 +100,9 @@ Document read_document(const std::string& path) {
   if (name == "msh41") return io::read_msh(InputFile(path));
   if (format && !format->reads)
     throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
+  const std::vector<std::string>& through_gmsh = io::gmsh_endings();
+  if (!format && std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
+    return io::read_through_gmsh(path);
   if (!format) {  // the content may tell
     const InputFile file(path);
     if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
