@@ -22,6 +22,12 @@ struct Holds {
   bool unknown_nodes = false;                    ///< elements that name numbers which no node has
   bool loose_nodes = true;                       ///< nodes that no written element has
   bool single = false;                           ///< coordinates are rounded to 32 bits
+  /// Nodes have no numbers: they come back in the order in which elements name them, and those at the same
+  /// place (-0 is 0, NaN equals nothing) as one, with the coordinates of the first.
+  bool nodes_by_place = false;
+  /// Faces of more than three corners that are planar and convex come back as the triangles of a fan, in
+  /// their place; `nodes` is 0 for them.
+  bool cuts_polygons = false;
 
   bool element_entities = false, node_entities = false;  ///< the tag and dimension of their entity
   bool entities = false;                                 ///< their boxes, boundaries, parents
@@ -37,6 +43,10 @@ struct Holds {
   /// the reader gives them back. All alike: any order of blocks is held.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };
   std::function<bool(const Values&, Of)> values = [](const Values&, Of) { return false; };
+  /// Where it depends on the block or the name, whether its groups come back; not set: as `groups` and
+  /// `group_names` say.
+  std::function<bool(const ElementBlock&)> groups_of;
+  std::function<bool(const GroupName&)> name;
   std::function<bool(const Section&)> section = [](const Section&) { return false; };
 };
 
