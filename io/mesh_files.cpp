@@ -52,7 +52,6 @@ TriangleSurface writable_surface(const Document& document) {
 const std::vector<Format>& formats() {
   static const std::vector<Format> all{
       {.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
-      {.name = "msh40", .what = "Gmsh .msh 4.0", .endings = {".msh"}, .reads = true, .binary = false},
       {.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
       {.name = "tetgen",
        .what = "TetGen .node and .ele",
@@ -117,13 +116,11 @@ Document read_document(const std::string& path) {
 void write_document(const std::string& path, const Document& document, const WriteOptions& options) {
   const auto [format, binary] = encoding_of(path, options);
   if (format == "tetgen") return io::write_tetgen(tetgen_stem(path), document);
-  if (format != "msh41" && format != "msh40" && format != "msh22" && format != "vtu")
+  if (format != "msh41" && format != "msh22" && format != "vtu")
     return write_surface(path, writable_surface(document), {.format = format, .ascii = !binary});
   AtomicFile file(path);
   if (format == "msh41")
     io::write_msh41(file, document, binary);
-  else if (format == "msh40")
-    io::write_msh40(file, document);
   else if (format == "msh22")
     io::write_msh22(file, document, binary);
   else

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
 #include "io/element_types.hpp"
 #include "io/large_pages.hpp"
-#include "io/msh22_limits.hpp"
 #include "io/msh22_plain.hpp"
 #include "io/msh_sections.hpp"
 #include "io/plain_lines.hpp"
@@ -18,19 +16,17 @@ namespace {
 
 class ElementReader {
  public:
-  ElementReader(Numbers& in, ElementTags kind, Document& document, NodeIndex& index, TagSets& sets,
-                std::vector<ElementTag>& copies)
+  ElementReader(Numbers& in, ElementTags kind, Document& document, NodeIndex& index, TagSets& sets)
       : in_(in),
         kind_(kind),
         document_(document),
         index_(index),
         sets_(sets),
-        tags_(document.element_tags, document.first_element),
-        copies_(copies) {}
+        tags_(document.element_tags, document.first_element) {}
 
-  // A line: tag, type, number of tags, tags, nodes; for polygons and polyhedra their number before them.
+  // A line: tag, type, number of tags, tags, nodes.
   void read_text(std::int64_t count) {
-    if (read_plain(static_cast<std::size_t>(count))) return;
+    if (auto plain = read_plain_elements22(in_, static_cast<std::size_t>(count), index_)) return take(*plain);
     document_.connectivity.reserve(document_.connectivity.size() + 2 * count);
     for (std::int64_t e = 0; e < count; ++e) {
       const std::int64_t tag = in_.integer("the tag of an element");
@@ -38,9 +34,7 @@ class ElementReader {
       const std::int64_t tags = in_.integer("the number of tags");
       in_.check_count(tags, "the number of tags", 2);
       read_element_tags(tags);
-      const std::int64_t each = type_                                          ? type_->nodes
-                                : has_counted_nodes(static_cast<int>(number_)) ? read_node_count()
-                                                                               : in_.words_in_line();
+      const int each = type_ ? type_->nodes : in_.words_in_line();
       if (each == 0) in_.fail(fmt::format("expected the nodes of an element of type {}", number_));
       read_nodes(each);
       add(tag);
@@ -117,44 +111,30 @@ class ElementReader {
   }
 
  private:
-  bool read_plain(std::size_t count) {
-    const std::size_t first = document_.elements(), nodes = document_.connectivity.size();
-    const std::vector<ElementBlock> blocks = document_.blocks;
-    const auto take_piece = [&](const PlainElements22& piece) { take(piece, first + count); };
-    reserve_in_large_pages(document_.connectivity, nodes + 4 * count);  // most are tetrahedra in most files
-    if (read_plain_elements22(in_, count, index_, take_piece)) return true;
-    document_.blocks = blocks;
-    document_.connectivity.resize(nodes);
-    tags_.cut(first);
-    last_tags_.clear();
-    return false;
-  }
-
-  // `elements`: how many there will be in the end.
-  void take(const PlainElements22& piece, std::size_t elements) {
-    std::vector<Index>& all = document_.connectivity;
-    if (all.size() + piece.nodes.size() > all.capacity()) {
-      const std::size_t left = elements - document_.elements();  // probably as large as these
-      reserve_in_large_pages(all, all.size() + std::max(piece.nodes.size() / piece.tags.size() * left,
-                                                        piece.nodes.size() + all.size() / 4));
+  void take(PlainElements22& read) {
+    std::size_t nodes = document_.connectivity.size();
+    for (const auto& piece : read.pieces) nodes += piece.nodes.size();
+    reserve_in_large_pages(document_.connectivity, nodes);
+    for (auto& piece : read.pieces) {
+      const Index* node = piece.nodes.data();
+      const std::int64_t* tag = piece.tags.data();
+      for (const auto& run : piece.runs) {
+        tags_read_ = run.tags;
+        use_element_tags();
+        ElementBlock& block = block_of({.type = run.type->type,
+                                        .dim = run.type->dim,
+                                        .entity = entity_,
+                                        .groups = group_ != 0 ? sets_({group_}) : sets_({}),
+                                        .partitions = partitions_,
+                                        .nodes_each = run.type->nodes});
+        for (std::size_t e = 0; e < run.count; ++e) tags_.add(block.first + block.count++, *tag++);
+        const Index* const end = node + run.count * static_cast<std::size_t>(run.type->nodes);
+        document_.connectivity.insert(document_.connectivity.end(), node, end);
+        node = end;
+      }
+      piece = {};  // what is taken needs no second place
     }
-    const Index* node = piece.nodes.data();
-    std::size_t from = 0;
-    for (const auto& run : piece.runs) {
-      tags_read_ = run.tags;
-      use_element_tags();
-      ElementBlock& block = block_of({.type = run.type->type,
-                                      .dim = run.type->dim,
-                                      .entity = entity_,
-                                      .groups = group_ != 0 ? sets_({group_}) : sets_({}),
-                                      .partitions = partitions_,
-                                      .nodes_each = run.type->nodes});
-      tags_.add(block.first + block.count, std::span(piece.tags).subspan(from, run.count));
-      block.count += run.count, from += run.count;
-      const Index* const end = node + run.count * static_cast<std::size_t>(run.type->nodes);
-      all.insert(all.end(), node, end);
-      node = end;
-    }
+    in_.go_to(read.behind);
   }
 
   void set_type(std::int64_t number) {
@@ -203,12 +183,10 @@ class ElementReader {
   }
 
   // An element in several physical groups stands once for each of them: the last one again, but for its group
-  // and its tag. So an element waits until the next one has been read. One with another number of tags is no
-  // such copy: our writer has no other way to tell the two apart.
+  // and its tag. So an element waits until the next one has been read.
   void add(std::int64_t tag) {
     if (repeats_waiting()) {
       waiting_.groups.push_back(group_);
-      copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where the first one will be
       return;
     }
     put_waiting();
@@ -216,7 +194,6 @@ class ElementReader {
                 .tag = tag,
                 .number = number_,
                 .type = type_,
-                .tags = tags_read_.size(),
                 .entity = entity_,
                 .partitions = partitions_,
                 .groups = std::move(waiting_.groups),
@@ -227,10 +204,10 @@ class ElementReader {
   }
 
   bool repeats_waiting() const {
+    constexpr std::size_t most_groups = 1000;  // beyond which looking through them would take too long
     return waiting_.any && waiting_.number == number_ && waiting_.entity == entity_ &&
-           waiting_.tags == tags_read_.size() && waiting_.partitions == partitions_ &&
-           waiting_.nodes == nodes_ && group_ != 0 && !waiting_.groups.empty() &&
-           waiting_.groups.size() < most_groups22 &&
+           waiting_.partitions == partitions_ && waiting_.nodes == nodes_ && group_ != 0 &&
+           !waiting_.groups.empty() && waiting_.groups.size() < most_groups &&
            std::find(waiting_.groups.begin(), waiting_.groups.end(), group_) == waiting_.groups.end();
   }
 
@@ -264,7 +241,6 @@ class ElementReader {
     bool any = false;
     std::int64_t tag = 0, number = 0;
     const ElementType* type = nullptr;
-    std::size_t tags = 0;
     std::int64_t entity = 0;
     std::int32_t partitions = 0;
     std::vector<std::int64_t> groups{};
@@ -277,7 +253,6 @@ class ElementReader {
   NodeIndex& index_;
   TagSets& sets_;
   Tags tags_;
-  std::vector<ElementTag>& copies_;
   std::int64_t number_ = -1;
   const ElementType* type_ = nullptr;
   std::vector<std::int64_t> tags_read_, last_tags_;
@@ -293,16 +268,18 @@ bool read_plain_nodes(Numbers& in, std::size_t count, Document& document, Tags& 
   if (in.binary() || count < least_plain_lines) return false;
   in.skip_blanks();
   const std::size_t first = document.points.size();
+  std::vector<std::int64_t> read(count);
   resize_in_large_pages(document.points, first + count);
-  const auto behind =
-      read_tagged_lines(in.source(), in.offset(), count, tags, first, [&](PlainLine& line, std::size_t i) {
-        Eigen::Vector3d& p = document.points[first + i];
-        return line.real(p.x()) && line.real(p.y()) && line.real(p.z());
-      });
-  if (behind)
+  const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
+    Eigen::Vector3d& p = document.points[first + i];
+    return line.integer(read[i]) && line.real(p.x()) && line.real(p.y()) && line.real(p.z());
+  });
+  if (behind) {
+    tags.add(first, read);
     in.go_to(*behind);
-  else
+  } else {
     document.points.resize(first);
+  }
   return behind.has_value();
 }
 
@@ -337,8 +314,8 @@ void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& do
 }
 
 void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
-                     TagSets& sets, std::vector<ElementTag>& copies) {
-  ElementReader reader(in, tags, document, index, sets, copies);
+                     TagSets& sets) {
+  ElementReader reader(in, tags, document, index, sets);
   if (tags == ElementTags::v3)
     reader.read_3(count);
   else if (tags == ElementTags::v1)

@@ -19,6 +19,9 @@ struct Reader {
   friend void PrintTo(const Reader& reader, std::ostream* out) { *out << reader.name; }
 };
 
+/// Reads what a file of this ending holds, by all the ways there are, and checks it.
+std::function<void(const std::string&)> reader_of(const std::string& ending);
+
 /// One row for each reader and flavour of its format.
 std::vector<Reader> readers();
 

@@ -9,7 +9,6 @@
 #include "document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
-#include "io/msh.hpp"
 #include "test_files.hpp"
 
 namespace tetproof {
@@ -204,22 +203,23 @@ TEST(Losses, NoneForAPlainMesh) {
     EXPECT_TRUE(losses(file, document_of(triangle)).empty()) << file;
 }
 
-// In 4.1 an element's groups and partitions are its entity's: one entity in two groups becomes two.
+// In 4.1 an element's groups are its entity's: one entity in two groups becomes two.
 TEST(Losses, AnEntityInTwoGroups) {
   const test::TestFiles files;
   const Document document = read_document(files.write(
       "a.msh",
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
       "$Elements\n3\n1 4 2 7 5 1 2 3 4\n2 4 2 8 5 1 2 4 3\n3 4 4 7 5 1 2 1 3 2 4\n$EndElements\n"));
-  const io::Holds holds = io::msh_holds(document, "msh41", false);
-  EXPECT_TRUE(holds.partitions);
-  EXPECT_FALSE(holds.element_entities);
+  const std::vector<Loss> lost = losses("b.msh", document);
+  ASSERT_EQ(lost.size(), 2u);
+  EXPECT_EQ(lost[0].item + ": " + lost[0].example, "partitions of elements: element 3 in partition 2");
+  EXPECT_EQ(lost[1].item + ": " + lost[1].example,
+            "numbers of entities: element 2 in entity 5 comes into entity 6");
   write_document(files.path("b.msh"), document);
   EXPECT_EQ(
       test::text_of(read_document(files.path("b.msh"))),
-      "msh41\nE 3/5 0 0 0 1 1 1 g7 b\nE 3/6 0 0 0 1 1 1 g8 b\nE 3/7 0 0 0 1 1 1 g7 b (3/5 p2)\n"
-            "n 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\nN 3/5 4: \n"
-            "e 1 4 3/5 g7 p: 1 2 3 4\ne 2 4 3/6 g8 p: 1 2 4 3\ne 3 4 3/7 g7 p2: 1 3 2 4\n");
+      "msh41\nE 3/5 0 0 0 1 1 1 g7 b\nE 3/6 0 0 0 1 1 1 g8 b\nn 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\n"
+      "N 3/5 4: \ne 1 4 3/5 g7 p: 1 2 3 4\ne 2 4 3/6 g8 p: 1 2 4 3\ne 3 4 3/5 g7 p: 1 3 2 4\n");
 }
 
 TEST(MeshViews, SecondOrderByItsCorners) {

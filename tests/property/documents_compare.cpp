@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "documents_compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "document_texts.hpp"
+#include "documents_pairing.hpp"
+#include "entities_compare.hpp"
+#include "io/element_types.hpp"
+
+namespace tetproof::test {
+namespace {
+
+std::string kind_of(const Element& element) {
+  static const std::map<io::Shape, const char*> names{
+      {io::Shape::point, "points"},           {io::Shape::line, "lines"},
+      {io::Shape::triangle, "triangles"},     {io::Shape::quadrangle, "quadrangles"},
+      {io::Shape::tetrahedron, "tetrahedra"}, {io::Shape::hexahedron, "hexahedra"},
+      {io::Shape::prism, "prisms"},           {io::Shape::pyramid, "pyramids"}};
+  const io::ElementType* type = io::element_type(element.type);
+  const auto found = type ? names.find(type->shape) : names.end();
+  const char* name = element.type == io::polygon ? "polygons"
+                     : found == names.end()      ? "elements"
+                                                 : found->second;
+  return fmt::format("{} of {} nodes (type {})", name, element.nodes.size(), element.type);
+}
+
+bool same_bits(double a, double b) {
+  return bits(a) == bits(b);
+}
+
+// 0, 1, 2, ... or 1, 2, 3, ...
+bool counts_up(const std::vector<std::int64_t>& tags) {
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    if (tags[i] != tags[0] + static_cast<std::int64_t>(i)) return false;
+  return tags.empty() || tags[0] == 0 || tags[0] == 1;
+}
+
+class Comparison {
+ public:
+  Comparison(const Document& before, const Document& after)
+      : before_(before),
+        after_(after),
+        old_(elements_of(before)),
+        new_(elements_of(after)),
+        pairs_(pair_up(before, old_, after, new_)) {}
+
+  std::vector<Difference> list() {
+    nodes();
+    elements();
+    order_and_numbers();
+    for (std::size_t e = 0; e < new_.size(); ++e)
+      if (pairs_.element_before[e] != none) element(old_[at(pairs_.element_before[e])], new_[e]);
+    for (const Difference& d : differences_of_entities(before_, after_, pairs_))
+      add(d.item, d.count, d.example);
+    parts();
+    return std::move(differences_);
+  }
+
+ private:
+  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+  void add(const std::string& item, std::int64_t count, const std::string& example, bool unsure = false) {
+    for (Difference& d : differences_)
+      if (d.item == item) {
+        d.count += count;
+        d.unsure = d.unsure && unsure;
+        return;
+      }
+    differences_.push_back({item, count, example, unsure});
+  }
+
+  void nodes() {
+    for (std::size_t i = 0; i < before_.points.size(); ++i) {
+      const Index after = pairs_.node_after[i];
+      if (after == none) {
+        add("nodes of no element that is written", 1, fmt::format("node {}", before_.node_tag(i)));
+        continue;
+      }
+      for (int k = 0; k < 3; ++k) {
+        const double a = before_.points[i][k], b = after_.points[at(after)][k];
+        if (same_bits(a, b)) continue;
+        const bool rounded = same_bits(static_cast<double>(static_cast<float>(a)), b);
+        add(rounded ? "coordinates rounded to 32 bits" : "changed coordinates", 1,
+            fmt::format("{} became {}", a, b));
+      }
+    }
+    for (std::size_t i = 0; i < after_.points.size(); ++i)
+      if (pairs_.node_before[i] == none) add("gained nodes", 1, fmt::format("node {}", after_.node_tag(i)));
+  }
+
+  static bool names_unknown(const Element& element) {
+    return std::any_of(element.nodes.begin(), element.nodes.end(), [](Index i) { return i < 0; });
+  }
+
+  void elements() {
+    // Where elements of a kind came back, those that did not are missing for another reason.
+    std::set<std::tuple<int, std::size_t, bool>> kinds;
+    const auto kind = [](const Element& e) { return std::tuple(e.type, e.nodes.size(), e.of_boundary); };
+    for (std::size_t e = 0; e < old_.size(); ++e)
+      if (pairs_.element_after[e] != none) kinds.insert(kind(old_[e]));
+    for (std::size_t e = 0; e < old_.size(); ++e) {
+      const std::string example = fmt::format("element {}", old_[e].tag);
+      const Index after = pairs_.element_after[e];
+      if (after == none)
+        add(names_unknown(old_[e]) && kinds.count(kind(old_[e]))
+                ? "elements that name nodes which do not exist"
+                : kind_of(old_[e]),
+            1, example);
+      else if (new_[at(after)].nodes.size() < old_[e].nodes.size())
+        add(fmt::format("nodes between the corners of {}", kind_of(old_[e])), 1, example);
+    }
+    for (std::size_t e = 0; e < new_.size(); ++e)
+      if (pairs_.element_before[e] == none) add("gained elements", 1, fmt::format("element {}", new_[e].tag));
+  }
+
+  void order_and_numbers() {
+    std::vector<std::int64_t> was, is;
+    Index last = -1;
+    bool in_order = true;
+    for (std::size_t e = 0; e < new_.size(); ++e) {
+      const Index b = pairs_.element_before[e];
+      if (b == none) continue;
+      in_order = in_order && b > last;
+      last = b;
+      was.push_back(old_[at(b)].tag), is.push_back(new_[e].tag);
+    }
+    if (!in_order) add("order of elements", 1, "");
+    if (was != is && !(counts_up(was) && counts_up(is)))
+      add("numbers of elements", static_cast<std::int64_t>(was.size()),
+          fmt::format("the first was {}", was[0]));
+    was.clear(), is.clear();
+    in_order = true, last = -1;
+    for (std::size_t i = 0; i < after_.points.size(); ++i) {
+      const Index b = pairs_.node_before[i];
+      if (b == none) continue;
+      in_order = in_order && b > last;
+      last = b;
+      was.push_back(before_.node_tag(at(b))), is.push_back(after_.node_tag(i));
+    }
+    nodes_renumbered_ = was != is && !(counts_up(was) && counts_up(is));
+    if (nodes_renumbered_)
+      add("numbers of nodes", static_cast<std::int64_t>(before_.points.size()),
+          fmt::format("the first was {}", was[0]));
+    else if (!in_order && was == is)
+      add("order of nodes", 1, "");
+  }
+
+  void element(const Element& was, const Element& is) {
+    const std::string example = fmt::format("element {}", was.tag);
+    if (was.groups != is.groups) {
+      if (is.groups.empty())
+        add("physical groups of elements", 1, example);
+      else if (is.groups.size() == 1 && !was.groups.empty() && is.groups[0] == was.groups[0])
+        add("physical groups beyond an element's first", 1, example);
+      else
+        add("changed physical groups", 1, example);
+    }
+    if (was.partitions != is.partitions)
+      add(is.partitions.empty() ? "partitions of elements" : "changed partitions", 1, example);
+    if (was.of_boundary != is.of_boundary)
+      add(was.of_boundary ? "elements as polygons of the boundary to mesh"
+                          : "changed to polygons of the boundary",
+          1, example);
+    for (std::size_t k = 0; k < is.nodes.size() && !nodes_renumbered_; ++k)
+      if (is.nodes[k] < 0 && before_.named(was.nodes[k]) != after_.named(is.nodes[k]))
+        add("changed unknown nodes", 1,
+            fmt::format("{} names {}, which became {}", example, before_.named(was.nodes[k]),
+                        after_.named(is.nodes[k])));
+  }
+
+  // What is a list of texts in both: what has no equal was lost, or gained.
+  void lists(std::vector<Text> was, std::vector<Text> is) {
+    for (const Text& text : was) {
+      const auto found =
+          std::find_if(is.begin(), is.end(), [&](const Text& t) { return t.text == text.text; });
+      if (found != is.end())
+        is.erase(found);
+      else
+        add(text.item, text.count, text.text, text.gone);
+    }
+    for (const Text& text : is) add(fmt::format("gained {}", text.item), text.count, text.text);
+  }
+
+  void parts() {
+    const auto name_in = [](const Document& document, const std::vector<Index>* to_before,
+                            const std::vector<Index>* to_after) {
+      return [&document, to_before, to_after](Index i) -> std::string {
+        if (i < 0) return fmt::format("?{}", document.unknown.at(at(-1 - i)));
+        if (to_before) return fmt::format("{}", to_before->at(at(i)));
+        return to_after->at(at(i)) == none ? std::string{} : fmt::format("{}", i);
+      };
+    };
+    const Names node_was = name_in(before_, nullptr, &pairs_.node_after),
+                node_is = name_in(after_, &pairs_.node_before, nullptr),
+                element_was = name_in(before_, nullptr, &pairs_.element_after),
+                element_is = name_in(after_, &pairs_.element_before, nullptr);
+    lists(texts_of_values(before_.node_values, "nodes", node_was),
+          texts_of_values(after_.node_values, "nodes", node_is));
+    lists(texts_of_values(before_.element_values, "elements", element_was),
+          texts_of_values(after_.element_values, "elements", element_is));
+    lists(texts_of_values(before_.element_node_values, "elements' nodes", element_was),
+          texts_of_values(after_.element_node_values, "elements' nodes", element_is));
+    lists(texts_of_names(before_), texts_of_names(after_));
+    lists(texts_of_links(before_, node_was), texts_of_links(after_, node_is));
+    lists(texts_of_ghosts(before_, element_was), texts_of_ghosts(after_, element_is));
+    lists(texts_of_boundary(before_, node_was, element_was), texts_of_boundary(after_, node_is, element_is));
+    lists(texts_of_voronoi(before_), texts_of_voronoi(after_));
+    lists(texts_of_rest(before_), texts_of_rest(after_));
+  }
+
+  const Document &before_, &after_;
+  const std::vector<Element> old_, new_;
+  const Pairing pairs_;
+  bool nodes_renumbered_ = false;
+  std::vector<Difference> differences_;
+};
+
+}  // namespace
+
+std::vector<Difference> differences(const Document& before, const Document& after) {
+  return Comparison(before, after).list();
+}
+
+}  // namespace tetproof::test

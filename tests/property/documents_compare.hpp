@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What differs between a document and what came back of it, judged by looking at both: it knows no format,
+// and shares no code with the list of losses that it is compared with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof::test {
+
+struct Difference {
+  std::string
+      item;  ///< in the words of io/losses.cpp, or "changed ...", "gained ..." for what no list may hold
+  std::int64_t count = 0;
+  std::string example;
+  bool unsure = false;  ///< it may as well be a consequence of another difference
+};
+
+/// What `after` lacks of `before`, up to what io/losses.hpp says is none. Nodes are known again by their x,
+/// which must differ from node to node even as 32-bit numbers (std::logic_error); elements by their nodes.
+std::vector<Difference> differences(const Document& before, const Document& after);
+
+}  // namespace tetproof::test

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge of round trips, judged: it sees what was done to a document, all of it, and nothing else.
+#include "documents_compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "../parser-fuzz/document_in_order.hpp"
+#include "random_document.hpp"
+
+namespace tetproof::test {
+namespace {
+
+Recipe with_everything(std::uint64_t seed) {
+  Recipe recipe{.seed = seed, .nodes = 13};
+  recipe.with.fill(true);
+  for (const Feature off :
+       {Feature::no_tetrahedra, Feature::all_types, Feature::repeated, Feature::from_zero})
+    recipe.with[static_cast<std::size_t>(off)] = false;
+  return recipe;
+}
+
+std::string text_of(const std::vector<Difference>& differences) {
+  std::string text;
+  for (const Difference& d : differences) text += d.item + " " + std::to_string(d.count) + "; ";
+  return text;
+}
+
+TEST(DocumentsCompare, ADocumentIsLikeItself) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Document document = random_document(with_everything(seed));
+    ASSERT_NO_THROW(check_in_order(document)) << seed;
+    ASSERT_EQ(text_of(differences(document, document)), "") << seed;
+  }
+}
+
+// Blocks in pieces and tag sets in another order say the same; so does a number that counts up.
+TEST(DocumentsCompare, SeesNoDifferenceInHowItIsKept) {
+  const Document document = random_document(with_everything(1));
+  Document other = document;
+  std::swap(other.tag_sets[1], other.tag_sets[2]);
+  const auto renamed = [](std::int32_t& set) { set = set == 1 ? 2 : set == 2 ? 1 : set; };
+  for (ElementBlock& block : other.blocks) renamed(block.groups), renamed(block.partitions);
+  for (Entity& entity : other.entities) renamed(entity.groups), renamed(entity.partitions);
+  for (std::size_t b = 0; b < other.blocks.size(); ++b) {
+    if (other.blocks[b].count < 2) continue;
+    ElementBlock rest = other.blocks[b];
+    other.blocks[b].count = 1;
+    rest.first += 1, rest.count -= 1, rest.nodes += static_cast<std::size_t>(rest.nodes_each);
+    other.blocks.insert(other.blocks.begin() + static_cast<std::ptrdiff_t>(b) + 1, rest);
+  }
+  ASSERT_NO_THROW(check_in_order(other));
+  EXPECT_GT(other.blocks.size(), document.blocks.size());
+  EXPECT_EQ(text_of(differences(document, other)), "");
+}
+
+TEST(DocumentsCompare, SeesWhatWasDone) {
+  struct Deed {
+    const char* what;
+    std::function<void(Document&)> work;
+  };
+  const Deed deeds[]{
+      {"changed coordinates 1; ",
+       [](Document& d) { d.points[3].y() = std::nextafter(d.points[3].y() == 0, 7); }},
+      {"numbers of nodes 13; ", [](Document& d) { d.node_tags[5] += 1; }},
+      {"title 1; ", [](Document& d) { d.title.clear(); }},
+      {"holes 1; ", [](Document& d) { d.holes.pop_back(); }},
+      {"bounds of areas 1; gained bounds of areas 1; ", [](Document& d) { d.area_bounds[0].area = 3; }},
+      {"periodic links 1; ", [](Document& d) { d.periodic.pop_back(); }},
+      {"gained holes 1; ", [](Document& d) { d.holes.emplace_back(1, 2, 3); }},
+  };
+  const Document document = random_document(with_everything(7));
+  for (const Deed& deed : deeds) {
+    Document other = document;
+    deed.work(other);
+    EXPECT_EQ(text_of(differences(document, other)), deed.what);
+  }
+}
+
+// Two tetrahedra and a line, written down.
+Document small() {
+  Document d;
+  for (int i = 0; i < 5; ++i) d.points.emplace_back(i, i * i, 0.1);
+  d.tag_sets = {{}, {4, 5}};
+  d.blocks = {{.type = 4, .entity = 1, .groups = 1, .nodes_each = 4, .count = 2},
+              {.type = 1, .dim = 1, .entity = 9, .nodes_each = 2, .count = 1, .first = 2, .nodes = 8}};
+  d.connectivity = {0, 1, 2, 3, 4, 3, 2, 1, 0, -1};
+  d.unknown = {70};
+  d.element_values = {{.name = "v", .reals = {1, 2, 3}}};
+  return d;
+}
+
+TEST(DocumentsCompare, CountsElements) {
+  Document d = small();
+  d.blocks.pop_back(), d.connectivity.resize(8), d.element_values[0].reals.pop_back();
+  EXPECT_EQ(text_of(differences(small(), d)), "lines of 2 nodes (type 1) 1; ");
+  d = small();
+  std::swap(d.connectivity[0], d.connectivity[4]);
+  EXPECT_EQ(text_of(differences(small(), d)),
+            "tetrahedra of 4 nodes (type 4) 2; gained elements 2; "
+            "values \"v\" of elements 3; "
+            "gained values \"v\" of elements 3; ");
+  d = small();
+  d.tag_sets[1] = {4};
+  d.blocks[1].entity = 0;
+  EXPECT_EQ(text_of(differences(small(), d)),
+            "physical groups beyond an element's first 2; entities of elements 1; ");
+  d = small();
+  d.unknown = {71};
+  EXPECT_EQ(text_of(differences(small(), d)), "changed unknown nodes 1; ");
+  d = small();
+  d.element_values[0].reals = {2, 1, 3};
+  d.element_values[0].at = {1, 0, 2};
+  EXPECT_EQ(text_of(differences(small(), d)), "");
+  d.element_values[0].reals[1] = -1;
+  EXPECT_EQ(text_of(differences(small(), d)),
+            "values \"v\" of elements 3; gained values \"v\" of elements 3; ");
+}
+
+}  // namespace
+}  // namespace tetproof::test

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which node and which element of a document came back as which.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof::test {
+
+/// An element by itself, out of its block.
+struct Element {
+  int type = 0, dim = 0;
+  std::int64_t entity = 0, tag = 0;
+  std::vector<std::int64_t> groups, partitions;
+  bool of_boundary = false;
+  std::vector<Index> nodes;
+};
+std::vector<Element> elements_of(const Document& document);
+
+constexpr Index none = -1;
+
+struct Pairing {
+  std::vector<Index> node_before;     ///< of each node of `after`; `none` for one that was not there
+  std::vector<Index> node_after;      ///< of each node of `before`
+  std::vector<Index> element_before;  ///< likewise
+  std::vector<Index> element_after;
+};
+
+/// Pairs nodes by the 32-bit value of their x, and elements by their type and nodes, or by their corners
+/// where those of a higher order lost what stands between. Elements alike are paired in their order.
+Pairing pair_up(const Document& before, const std::vector<Element>& elements_before, const Document& after,
+                const std::vector<Element>& elements_after);
+
+}  // namespace tetproof::test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of documents_compare.hpp that is about entities.
+#pragma once
+
+#include <vector>
+
+#include "documents_compare.hpp"
+#include "documents_pairing.hpp"
+
+namespace tetproof::test {
+
+/// Entities of elements and of nodes, parameters of nodes, entities themselves, the number of partitions.
+std::vector<Difference> differences_of_entities(const Document& before, const Document& after,
+                                                const Pairing& pairs);
+
+}  // namespace tetproof::test

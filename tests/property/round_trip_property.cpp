@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever a document holds, what comes back of it from a file lacks exactly what the list of losses says.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../parser-fuzz/document_in_order.hpp"
+#include "../unit/io/test_files.hpp"
+#include "documents_compare.hpp"
+#include "io/losses.hpp"
+#include "io/mesh_files.hpp"
+#include "random_document.hpp"
+
+namespace tetproof::test {
+
+void PrintTo(const Recipe& recipe, std::ostream* out) {
+  *out << recipe;
+}
+
+namespace {
+
+// A way to write a document.
+struct Target {
+  std::string name, file;
+  WriteOptions options;
+  friend void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+};
+
+std::vector<Target> all_targets() {
+  std::vector<Target> targets;
+  for (const Format& format : formats()) {
+    if (!format.reads || !(format.ascii || format.binary)) continue;
+    for (const bool binary : {false, true}) {
+      if (!(binary ? format.binary : format.ascii)) continue;
+      const bool both = format.ascii && format.binary;
+      targets.push_back({format.name + (!both    ? ""
+                                        : binary ? "_binary"
+                                                 : "_text"),
+                         "x" + format.endings.front(),
+                         {.format = format.name, .binary = binary}});
+    }
+  }
+  return targets;
+}
+
+// Most features are off: a failure has few to begin with, and RapidCheck takes those away that it can.
+rc::Gen<Recipe> any_recipe() {
+  return rc::gen::map(rc::gen::tuple(rc::gen::inRange<std::uint64_t>(0, 1u << 20), rc::gen::inRange(0, 14),
+                                     rc::gen::container<std::array<int, features>>(rc::gen::inRange(0, 12)),
+                                     rc::gen::inRange(1, 8)),
+                      [](const auto& drawn) {
+                        const auto& [seed, nodes, dice, share] = drawn;
+                        Recipe recipe{.seed = seed, .nodes = nodes};
+                        for (std::size_t i = 0; i < features; ++i) recipe.with[i] = dice[i] > 11 - share;
+                        return recipe;
+                      });
+}
+
+using Counts = std::map<std::string, std::int64_t>;
+
+// The list of losses against the judge; empty if they agree.
+std::string disagreement(const std::vector<Loss>& losses, const std::vector<Difference>& differences) {
+  Counts said, seen;
+  std::map<std::string, const Difference*> examples;
+  for (const Loss& loss : losses) said[loss.item] += loss.count;
+  for (const Difference& d : differences) {
+    if (d.unsure && !said.count(d.item)) continue;
+    seen[d.item] += d.count;
+    examples[d.item] = &d;
+  }
+  std::string text;
+  for (const auto& [item, count] : seen)
+    if (!said.count(item))
+      text += fmt::format("not said: {} ({}): {}\n", item, count, examples[item]->example);
+    else if (said[item] != count)
+      text +=
+          fmt::format("{}: said {}, but it was {}: {}\n", item, said[item], count, examples[item]->example);
+  for (const auto& [item, count] : said)
+    if (!seen.count(item)) text += fmt::format("said, but not lost: {} ({})\n", item, count);
+  return text;
+}
+
+class Folder {
+ public:
+  std::string fresh(const std::string& name) {
+    const std::filesystem::path folder = files_.path("x");
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directory(folder);
+    return folder / name;
+  }
+
+ private:
+  TestFiles files_;
+};
+
+Document there_and_back(Folder& folder, const Document& document, const Target& target) {
+  const std::string path = folder.fresh(target.file);
+  write_document(path, document, target.options);
+  Document back = read_document(path);
+  check_in_order(back);
+  return back;
+}
+
+class RoundTrip : public testing::TestWithParam<Target> {};
+
+TEST_P(RoundTrip, LosesWhatItSays) {
+  const Target& target = GetParam();
+  Folder folder;
+  EXPECT_TRUE(rc::check(target.name, [&] {
+    const Recipe recipe = *any_recipe();
+    const Document document = random_document(recipe);
+    check_in_order(document);
+    const std::vector<Loss> said = losses(target.file, document, target.options);
+    const Document back = there_and_back(folder, document, target);
+    const std::string wrong = disagreement(said, differences(document, back));
+    if (!wrong.empty()) RC_FAIL(fmt::format("{}: {}", target.name, wrong));
+  }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::ValuesIn(all_targets()),
+                         [](const auto& test) { return test.param.name; });
+
+// A -> B -> A: what the first A left is there again, but for what was said on the way.
+TEST(RoundTrips, AllPairs) {
+  const std::vector<Target> targets = all_targets();
+  Folder folder;
+  EXPECT_TRUE(rc::check("A -> B -> A", [&] {
+    const Recipe recipe = *any_recipe();
+    const Target& a = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
+    const Target& b = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
+    const Document first = there_and_back(folder, random_document(recipe), a);
+    std::vector<Loss> said = losses(b.file, first, b.options);
+    const Document second = there_and_back(folder, first, b);
+    std::string wrong = disagreement(said, differences(first, second));
+    if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {}: {}", a.name, b.name, wrong));
+    const std::vector<Loss> more = losses(a.file, second, a.options);
+    const Document third = there_and_back(folder, second, a);
+    wrong = disagreement(more, differences(second, third));
+    if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
+    said.insert(said.end(), more.begin(), more.end());
+    for (const Difference& d : differences(first, third))
+      if (!d.unsure &&
+          std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return loss.item == d.item; }))
+        RC_FAIL(fmt::format("{} -> {} -> {}: not said: {} ({}): {}", a.name, b.name, a.name, d.item, d.count,
+                            d.example));
+  }));
+}
+
+}  // namespace
+}  // namespace tetproof::test
