@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
@@ -31,6 +32,9 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
+  if (keeps_checksum_)
+    checksum_ = static_cast<std::uint32_t>(
+        ::crc32_z(checksum_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
 void AtomicFile::commit() {

@@ -2,6 +2,7 @@
 // A file that appears whole or not at all: written beside its place, then renamed.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
+  /// The CRC-32 of what was written since `keep_checksum`, which comes before the first byte.
+  void keep_checksum() { keeps_checksum_ = true; }
+  std::uint32_t checksum() const { return checksum_; }
   void commit();
 
  private:
@@ -25,10 +29,12 @@ class AtomicFile {
 
   std::string path_, beside_;
   std::FILE* file_ = nullptr;
+  bool keeps_checksum_ = false;
+  std::uint32_t checksum_ = 0;
 };
 
-/// Throws as AtomicFile does when no file can be made at `path`, and leaves nothing there: so that a long job fails before it
-/// begins. What is neither a file nor a folder (a pipe, a device) is not touched.
+/// Throws as AtomicFile does when no file can be made at `path`, and leaves nothing there: so that a long job
+/// fails before it begins. What is neither a file nor a folder (a pipe, a device) is not touched.
 void check_creatable(const std::string& path);
 
 }  // namespace tetproof

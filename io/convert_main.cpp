@@ -53,13 +53,20 @@ int convert(const Choices& choices, const program::Common& common) {
   const std::vector<Loss> lost = losses(choices.out, document, write);
   for (const Loss& loss : lost)
     program::say(common, fmt::format("lost: {}: {} ({})", loss.item, loss.count, loss.example));
+  const KeptAside kept = kept_aside(choices.out, document, write);
+  for (const Loss& item : kept.items)
+    program::say(common,
+                 fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
   const bool refused = choices.strict && !lost.empty();
   if (!refused) write_document(choices.out, document, write);
   result["output"] = {
       {"file", choices.out}, {"format", target.format}, {"binary", target.binary}, {"written", !refused}};
   result["losses"] = json_of(lost);
+  result["kept_aside"] = json_of(kept.items);
+  if (!kept.items.empty()) result["output"]["kept_in"] = kept.where;
   if (!choices.losses_file.empty())
-    program::write_text(choices.losses_file, text_of(Json{{"losses", result["losses"]}}));
+    program::write_text(choices.losses_file,
+                        text_of(Json{{"losses", result["losses"]}, {"kept_aside", result["kept_aside"]}}));
   if (!common.json.empty()) program::write_text(common.json, text_of(result));
   if (!refused) return program::sound;
   program::say(common, fmt::format("{}: not written, since {} of {} would be lost (--strict)", choices.out,

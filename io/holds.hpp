@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/document.hpp"
+#include "io/losses.hpp"
 
 namespace tetproof::io {
 
@@ -20,25 +21,33 @@ struct Holds {
 
   bool node_tags = false, element_tags = false;  ///< any numbers; else such that count up from 0 or 1
   bool unknown_nodes = false;                    ///< elements that name numbers which no node has
-  bool loose_nodes = true;                       ///< nodes that no written element has
-  bool single = false;                           ///< coordinates are rounded to 32 bits
+  /// The number under which the writer writes `Document::unknown[k]`; empty: that one.
+  std::function<std::int64_t(std::size_t k)> unknown_number{};
+  enum class Nodes { of_elements, of_no_other_elements, all };
+  /// Which nodes are written: those that a written element has, also those that no element has, or all.
+  Nodes which_nodes = Nodes::all;
+  bool single = false;  ///< coordinates are rounded to 32 bits
   /// Nodes have no numbers: they come back in the order in which elements name them, and those at the same
   /// place (-0 is 0, NaN equals nothing) as one, with the coordinates of the first.
   bool nodes_by_place = false;
   /// Faces of more than three corners that are planar and convex come back as the triangles of a fan, in
-  /// their place; `nodes` is 0 for them.
+  /// their place; `nodes_each` is 0 for them.
   bool cuts_polygons = false;
 
   bool element_entities = false, node_entities = false;  ///< the tag and dimension of their entity
   bool entities = false;                                 ///< their boxes, boundaries, parents
+  /// Elements whose entity is written under another tag, since groups belong to entities; and the first one.
+  std::int64_t changed_entities = 0;
+  std::string changed_entity;
   enum class Groups { none, first, all } groups = Groups::none;
   bool group_names = false, partitions = false, ghosts = false, parameters = false, periodic = false;
+  bool boundary = false;  ///< that elements are polygons of what to mesh, not of the mesh
   bool facets = false, holes = false, regions = false, bounds = false, voronoi = false, tables = false,
        title = false;
 
   /// How many nodes of each element of a block are written: all, or only its corners; 0: the elements are
   /// not.
-  std::function<int(const ElementBlock&)> nodes = [](const ElementBlock&) { return 0; };
+  std::function<int(const ElementBlock&)> nodes_each = [](const ElementBlock&) { return 0; };
   /// Formats that list elements by kind: a number for the kind of a block, ascending in the order in which
   /// the reader gives them back. All alike: any order of blocks is held.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };
@@ -49,5 +58,11 @@ struct Holds {
   std::function<bool(const GroupName&)> name;
   std::function<bool(const Section&)> section = [](const Section&) { return false; };
 };
+
+/// What the format of a file to be written holds of `document`.
+Holds holds_of(const std::string& path, const Document& document, const WriteOptions& options);
+
+/// What is not held, item by item.
+std::vector<Loss> unheld(const Document& document, const Holds& holds);
 
 }  // namespace tetproof::io

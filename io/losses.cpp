@@ -6,73 +6,24 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 
 #include "io/element_types.hpp"
-#include "io/msh.hpp"
-#include "io/msh22_limits.hpp"
+#include "io/holds.hpp"
 #include "io/msh_entities.hpp"
-#include "io/msh_write.hpp"
-#include "io/tetgen.hpp"
-#include "io/vtu.hpp"
+#include "io/weld.hpp"
 
 namespace tetproof {
 namespace {
 
 using io::ElementType;
+using io::Holds;
+using io::Of;
 using io::Shape;
 
-enum class Groups { none, first, all };
-enum class ValuesHeld { none, tetgen, all };
-
-// What a family of formats holds in full; the rest is asked case by case.
-struct Holds {
-  bool tags = false;           // of nodes and elements, any numbers
-  bool unknown_nodes = false;  // references to nodes that do not exist
-  bool entity_of_element = false, entity_of_node = false, entities = false;
-  Groups groups = Groups::none;
-  bool group_names = false, partitions = false;
-  ValuesHeld values = ValuesHeld::none;
-};
-
-Holds holds(const std::string& format) {
-  if (format == "msh41")
-    return {.tags = true,
-            .unknown_nodes = true,
-            .entity_of_element = true,
-            .entity_of_node = true,
-            .entities = true,
-            .groups = Groups::all,
-            .group_names = true,
-            .partitions = false,
-            .values = ValuesHeld::none};
-  if (format == "msh22")
-    return {.tags = true,
-            .unknown_nodes = true,
-            .entity_of_element = true,
-            .entity_of_node = false,
-            .entities = false,
-            .groups = Groups::first,
-            .group_names = true,
-            .partitions = true,
-            .values = ValuesHeld::none};
-  if (format == "vtu")
-    return {.tags = false,
-            .unknown_nodes = false,
-            .entity_of_element = true,
-            .entity_of_node = false,
-            .entities = false,
-            .groups = Groups::first,
-            .group_names = false,
-            .partitions = false,
-            .values = ValuesHeld::all};
-  Holds least;
-  if (format == "tetgen") least.unknown_nodes = true, least.values = ValuesHeld::tetgen;
-  return least;
-}
-
-const char* name_of(Shape shape) {
-  switch (shape) {
+const char* name_of(int type) {
+  if (type == io::polygon) return "polygons";
+  const ElementType* known = io::element_type(type);
+  switch (known ? known->shape : Shape::other) {
     case Shape::point:
       return "points";
     case Shape::line:
@@ -97,66 +48,64 @@ const char* name_of(Shape shape) {
   return "elements";
 }
 
+bool is_plain(std::int64_t first) {
+  return first == 0 || first == 1;
+}
+
 class Lister {
  public:
-  Lister(const Document& document, std::string format, bool binary)
-      : document_(document), format_(std::move(format)), binary_(binary), holds_(holds(format_)) {
-    if (format_ == "tetgen") tetgen_ = io::tetgen_limits(document);
-    for (const Entity& entity : document.entities)
-      if (entity.parent_dim >= 0) partitioned_.insert({entity.dim, entity.tag, entity.partitions});
-    surface_ = format_ != "msh41" && format_ != "msh22" && format_ != "vtu" && format_ != "tetgen";
+  Lister(const Document& document, const Holds& holds) : document_(document), holds_(holds) {
+    for (const ElementBlock& block : document.blocks)
+      if (holds.nodes_each(block) > 0) written_.push_back(&block);
   }
 
   std::vector<Loss> list() {
     elements();
-    numbers();
+    order();
+    node_numbers();
+    element_numbers();
+    nodes();
+    entities_of_elements();
+    entities_of_nodes();
     entities();
     groups();
+    partitions();
     parameters();
-    values();
-    for (const Section& section : document_.sections)
-      if (format_.rfind("msh", 0) != 0 || !io::keeps_section(section, format_, binary_) || drops_data_)
-        add(fmt::format("section ${}", section.name), 1, fmt::format("{} bytes", section.body.size()));
+    values(document_.node_values, Of::node, "nodes");
+    values(document_.element_values, Of::element, "elements");
+    values(document_.element_node_values, Of::element_node, "elements' nodes");
+    boundary();
+    rest();
     return std::move(losses_);
   }
 
  private:
-  void add(const std::string& item, std::int64_t count, const std::string& example) {
-    if (count <= 0) return;
+  void add(const std::string& item, std::size_t count, const std::string& example) {
+    if (count == 0) return;
     for (Loss& loss : losses_)
       if (loss.item == item) {
-        loss.count += count;
+        loss.count += static_cast<std::int64_t>(count);
         return;
       }
-    losses_.push_back({item, count, example});
+    losses_.push_back({item, static_cast<std::int64_t>(count), example});
+  }
+
+  std::string element(const ElementBlock& block, std::size_t e = 0) const {
+    return fmt::format("element {}", document_.element_tag(block.first + e));
   }
 
   // Elements that are not written, or without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
-      const ElementType* type = io::element_type(block.type);
-      const Shape shape = type ? type->shape : Shape::other;
       const std::string what =
-          fmt::format("{} of {} nodes (type {})", name_of(shape), block.nodes_each, block.type);
-      const auto count = static_cast<std::int64_t>(block.count);
-      const std::string first = fmt::format("element {}", document_.element_tag(block.first));
-      bool written = true;
-      if (format_ == "vtu")
-        written = io::vtk_cell_type(block.type) != 0;
-      else if (format_ == "tetgen")
-        written = shape == Shape::tetrahedron;
-      else if (surface_)
-        written = shape == Shape::triangle;
-      else
-        written = io::msh_holds(document_, block, format_, binary_);
-      if (!written) {
-        add(what, count, first);
+          fmt::format("{} of {} nodes (type {})", name_of(block.type), block.nodes_each, block.type);
+      const int each = holds_.nodes_each(block);
+      if (each == 0) {
+        add(what, block.count, element(block));
         continue;
       }
-      const bool corners_only = type && type->nodes > type->corners &&
-                                (surface_ || (format_ == "tetgen" && tetgen_.nodes_each == type->corners));
-      if (corners_only) add("nodes between the corners of " + what, count, first);
-      if (!holds_.unknown_nodes) unknown_nodes(block);
+      if (each < block.nodes_each) add("nodes between the corners of " + what, block.count, element(block));
+      if (!holds_.unknown_nodes && !document_.unknown.empty()) unknown_nodes(block);
     }
   }
 
@@ -166,157 +115,252 @@ class Lister {
       const Index* bad = std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
       if (bad != node + block.nodes_each)
         add("elements that name nodes which do not exist", 1,
-            fmt::format("element {} names node {}", document_.element_tag(block.first + e),
-                        document_.named(*bad)));
+            fmt::format("{} names node {}", element(block, e), document_.named(*bad)));
     }
   }
 
-  void numbers() {
-    const auto nodes = static_cast<std::int64_t>(document_.points.size());
-    const auto count = static_cast<std::int64_t>(document_.elements());
-    const auto plain = [](std::int64_t first) { return first == 0 || first == 1; };
-    bool lost_nodes = !holds_.tags && (!document_.node_tags.empty() || !plain(document_.first_node));
-    bool lost_elements = !holds_.tags && (!document_.element_tags.empty() || !plain(document_.first_element));
-    if (format_ == "tetgen") lost_elements = tetgen_.renumber_elements;
-    if (format_ == "msh22") {
-      const io::Msh22Limits limits = io::msh22_limits(document_, binary_);
-      lost_nodes = limits.renumber_nodes, lost_elements = limits.renumber_elements;
-      drops_data_ = lost_nodes || lost_elements;
+  void order() {
+    int last = 0;
+    for (const ElementBlock* block : written_) {
+      const int kind = holds_.kind(*block);
+      if (block != written_.front() && kind < last)
+        return add("order of elements", 1, fmt::format("{} comes before those above it", element(*block)));
+      last = kind;
     }
-    if (lost_nodes && nodes > 0)
-      add("numbers of nodes", nodes, fmt::format("the first is {}", document_.node_tag(0)));
-    if (lost_elements && count > 0)
-      add("numbers of elements", count, fmt::format("the first is {}", document_.element_tag(0)));
-    if (surface_) unused_vertices();
   }
 
-  // Surfaces keep no vertices that belong to other elements, and STL none that no triangle uses.
-  void unused_vertices() {
-    const TriangleSurface surface = surface_of(document_);
-    const std::vector<bool> used = used_vertices(surface);
-    const auto kept = format_ == "stl" ? std::count(used.begin(), used.end(), true)
-                                       : static_cast<std::ptrdiff_t>(surface.vertices.size());
-    add("nodes that no triangle has as a corner", static_cast<std::int64_t>(document_.points.size()) - kept,
-        fmt::format("of {} nodes", document_.points.size()));
-    if (format_ == "stl" && binary_) rounding(surface, used);
+  void node_numbers() {
+    const bool any = !document_.node_tags.empty() || !is_plain(document_.first_node);
+    if (!holds_.node_tags && any && !document_.points.empty())
+      add("numbers of nodes", document_.points.size(), fmt::format("the first is {}", document_.node_tag(0)));
   }
 
-  static std::vector<bool> used_vertices(const TriangleSurface& surface) {
-    std::vector<bool> used(surface.vertices.size());
-    for (const auto& triangle : surface.triangles)
-      for (Index i : triangle)
-        if (i >= 0) used[i] = true;
-    return used;
+  // Those that are written count up from 0 or 1, or their numbers are lost.
+  void element_numbers() {
+    if (holds_.element_tags || written_.empty()) return;
+    std::vector<const ElementBlock*> blocks = written_;
+    std::stable_sort(blocks.begin(), blocks.end(), [&](const ElementBlock* a, const ElementBlock* b) {
+      return holds_.kind(*a) < holds_.kind(*b);
+    });
+    std::int64_t next = document_.element_tag(blocks[0]->first);
+    bool plain = is_plain(next);
+    std::size_t count = 0;
+    for (const ElementBlock* block : blocks) {
+      count += block->count;
+      for (std::size_t e = 0; e < block->count && plain; ++e)
+        plain = document_.element_tag(block->first + e) == next++;
+    }
+    if (!plain)
+      add("numbers of elements", count,
+          fmt::format("the first is {}", document_.element_tag(blocks[0]->first)));
   }
 
-  void rounding(const TriangleSurface& surface, const std::vector<bool>& used) {
-    std::int64_t rounded = 0;
-    std::string first;
-    for (std::size_t i = 0; i < used.size(); ++i)
-      for (double x : surface.vertices[i])
-        if (used[i] && static_cast<double>(static_cast<float>(x)) != x && !std::isnan(x) && rounded++ == 0)
-          first = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
-    add("coordinates rounded to 32 bits", rounded, first);
+  void nodes() {
+    if (holds_.nodes_by_place) nodes_by_place();
+    if (holds_.which_nodes == Holds::Nodes::all && !holds_.single) return;
+    std::vector<bool> written(document_.points.size()), of_others(document_.points.size());
+    for (const ElementBlock& block : document_.blocks) {
+      const int each = holds_.nodes_each(block);
+      for (std::size_t k = 0; k < block.count * block.nodes_each; ++k) {
+        const Index node = document_.connectivity[block.nodes + k];
+        if (node < 0) continue;
+        const bool is_written = static_cast<int>(k % static_cast<std::size_t>(block.nodes_each)) < each;
+        (is_written ? written : of_others)[static_cast<std::size_t>(node)] = true;
+      }
+    }
+    std::size_t lost = 0, rounded = 0, first = 0;
+    std::string example;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      const bool keeps = written[i] || holds_.which_nodes == Holds::Nodes::all ||
+                         (holds_.which_nodes == Holds::Nodes::of_no_other_elements && !of_others[i]);
+      if (!keeps && lost++ == 0) first = i;
+      for (const double x : document_.points[i])
+        if (keeps && holds_.single && !std::isnan(x) && static_cast<double>(static_cast<float>(x)) != x &&
+            rounded++ == 0)
+          example = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
+    }
+    add("nodes of no element that is written", lost,
+        lost ? fmt::format("node {}", document_.node_tag(first)) : "");
+    add("coordinates rounded to 32 bits", rounded, example);
+  }
+
+  // Nodes come back in the order in which elements name them, and one for each place.
+  void nodes_by_place() {
+    std::vector<Eigen::Vector3d> corners;
+    Index last = -1;
+    std::vector<bool> seen(document_.points.size());
+    std::string out_of_order;
+    for (const ElementBlock* block : written_)
+      for (std::size_t k = 0; k < block->count * block->nodes_each; ++k) {
+        const Index node = document_.connectivity[block->nodes + k];
+        const bool is_written =
+            static_cast<int>(k % static_cast<std::size_t>(block->nodes_each)) < holds_.nodes_each(*block);
+        if (node < 0 || !is_written || seen[static_cast<std::size_t>(node)]) continue;
+        seen[static_cast<std::size_t>(node)] = true;
+        corners.push_back(document_.points[static_cast<std::size_t>(node)]);
+        if (node < last && out_of_order.empty())
+          out_of_order = fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(node)));
+        last = node;
+      }
+    if (!out_of_order.empty()) add("order of nodes", 1, out_of_order);
+    const std::size_t all = corners.size();
+    io::weld(corners);
+    add("nodes at the place of another one", all - corners.size(), fmt::format("of {}", all));
+  }
+
+  // An entity that is nothing but a number, the only one or none, is no loss.
+  void entities_of_elements() {
+    if (holds_.element_entities) {
+      add("numbers of entities", static_cast<std::size_t>(holds_.changed_entities), holds_.changed_entity);
+      return;
+    }
+    for (const ElementBlock* block : written_)
+      if (block->entity != 0 && block->entity != 1)
+        add("entities of elements", block->count,
+            fmt::format("{} in entity {}", element(*block), block->entity));
+  }
+
+  void entities_of_nodes() {
+    if (holds_.node_entities || document_.node_blocks.size() < 2) return;
+    const NodeBlock& block = document_.node_blocks[0];
+    add("entities of nodes", document_.points.size(),
+        fmt::format("node {} on entity {} of dimension {}", document_.node_tag(block.first), block.entity,
+                    block.dim));
   }
 
   void entities() {
-    std::int64_t elements = 0, changed = 0;
-    std::string first, first_changed;
-    const io::EntityPlan plan = io::plan_entities(document_);
-    for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
-      const ElementBlock& block = document_.blocks[b];
-      const std::string name =
-          fmt::format("element {} in entity {}", document_.element_tag(block.first), block.entity);
-      if (!holds_.entity_of_element && block.entity != 0 && block.entity != 1) {
-        if (elements == 0) first = name;
-        elements += static_cast<std::int64_t>(block.count);
-      }
-      if (holds_.entities && block.entity != 0 && plan.block_tags[b] != block.entity) {
-        if (changed == 0) first_changed = fmt::format("{} comes into entity {}", name, plan.block_tags[b]);
-        changed += static_cast<std::int64_t>(block.count);
-      }
-      if (!holds_.partitions && block.partitions != 0 && !(holds_.entities && in_partitioned_entity(block)))
-        add("partitions of elements", static_cast<std::int64_t>(block.count),
-            fmt::format("element {} in partition {}", document_.element_tag(block.first),
-                        fmt::join(document_.tag_sets[block.partitions], " ")));
-    }
-    add("entities of elements", elements, first);
-    add("numbers of entities", changed, first_changed);
-    if (!holds_.entity_of_node && document_.node_blocks.size() > 1 &&
-        !(format_ == "msh22" && io::msh22_limits(document_, binary_).parametric))
-      add("entities of nodes", static_cast<std::int64_t>(document_.points.size()),
-          fmt::format("node {} on entity {} of dimension {}",
-                      document_.node_tag(document_.node_blocks[0].first), document_.node_blocks[0].entity,
-                      document_.node_blocks[0].dim));
     if (holds_.entities) return;
     std::set<std::pair<int, std::int64_t>> underived;
     for (const Entity& entity : io::underived_entities(document_)) underived.insert({entity.dim, entity.tag});
     for (const Entity& entity : document_.entities) {
       const bool told_by_elements = !underived.count({entity.dim, entity.tag});
-      if (told_by_elements && (holds_.entity_of_element || entity.tag == 0 || entity.tag == 1)) continue;
+      if (told_by_elements && (holds_.element_entities || entity.tag == 0 || entity.tag == 1)) continue;
       add("entities with their boxes and boundaries", 1,
           fmt::format("{} of dimension {}", entity.tag, entity.dim));
     }
   }
 
-  bool in_partitioned_entity(const ElementBlock& block) const {
-    return partitioned_.count({block.dim, block.entity, block.partitions}) > 0;
+  void groups() {
+    for (const ElementBlock* block : written_) {
+      const auto& tags = document_.tag_sets[static_cast<std::size_t>(block->groups)];
+      const std::string first = fmt::format("{} in groups {}", element(*block), fmt::join(tags, " "));
+      if (holds_.groups_of) {
+        if (!holds_.groups_of(*block)) add("physical groups of elements", block->count, first);
+        continue;
+      }
+      if (holds_.groups == Holds::Groups::none && !tags.empty())
+        add("physical groups of elements", block->count, first);
+      if (holds_.groups == Holds::Groups::first && tags.size() > 1)
+        add("physical groups beyond an element's first", block->count, first);
+    }
+    for (const GroupName& name : document_.group_names)
+      if (holds_.name ? !holds_.name(name) : !holds_.group_names)
+        add("names of physical groups", 1, name.name);
   }
 
-  void groups() {
-    for (const ElementBlock& block : document_.blocks) {
-      const auto& tags = document_.tag_sets[block.groups];
-      const std::string first =
-          fmt::format("element {} in groups {}", document_.element_tag(block.first), fmt::join(tags, " "));
-      const auto count = static_cast<std::int64_t>(block.count);
-      if (holds_.groups == Groups::none && !tags.empty()) add("physical groups of elements", count, first);
-      if (holds_.groups == Groups::first && tags.size() > 1)
-        add("physical groups beyond an element's first", count, first);
+  void partitions() {
+    if (!holds_.partitions)
+      for (const ElementBlock* block : written_)
+        if (block->partitions != 0)
+          add("partitions of elements", block->count,
+              fmt::format("{} in partition {}", element(*block),
+                          fmt::join(document_.tag_sets[static_cast<std::size_t>(block->partitions)], " ")));
+    if (holds_.ghosts) return;
+    if (!document_.ghosts.empty())
+      add("entities of ghost elements", document_.ghosts.size(),
+          fmt::format("entity {} of partition {}", document_.ghosts[0].tag, document_.ghosts[0].partition));
+    if (!document_.ghost_elements.empty()) {
+      const GhostElement& ghost = document_.ghost_elements[0];
+      add("ghost elements", document_.ghost_elements.size(),
+          ghost.element >= 0
+              ? fmt::format("element {} of partition {}",
+                            document_.element_tag(static_cast<std::size_t>(ghost.element)), ghost.partition)
+              : fmt::format("of partition {}", ghost.partition));
     }
-    if (!holds_.group_names && !document_.group_names.empty())
-      add("names of physical groups", static_cast<std::int64_t>(document_.group_names.size()),
-          document_.group_names[0].name);
   }
 
   void parameters() {
-    if (document_.parameters.empty() || format_ == "msh41") return;
-    const bool written = format_ == "msh22" && io::msh22_limits(document_, binary_).parametric;
-    for (const NodeBlock& block : document_.node_blocks)
-      if (block.parameters_each > 0 && !(written && block.dim < 3))
-        add("nodes with parametric coordinates", static_cast<std::int64_t>(block.count),
-            fmt::format("node {}", document_.node_tag(block.first)));
+    if (!holds_.parameters)
+      for (const NodeBlock& block : document_.node_blocks)
+        if (block.parameters_each > 0)
+          add("nodes with parametric coordinates", block.count,
+              fmt::format("node {}", document_.node_tag(block.first)));
+    if (!holds_.periodic && !document_.periodic.empty())
+      add("periodic links", document_.periodic.size(),
+          fmt::format("entity {} of dimension {} to {}", document_.periodic[0].entity,
+                      document_.periodic[0].dim, document_.periodic[0].master));
   }
 
-  void values() {
-    const auto check = [&](const std::vector<Values>& all, const char* of) {
-      for (const Values& values : all) {
-        const bool tetgens = values.name == "attributes" || values.name == "markers";
-        if (holds_.values == ValuesHeld::none || (holds_.values == ValuesHeld::tetgen && !tetgens))
-          add(fmt::format("values \"{}\" of {}", values.name, of),
-              static_cast<std::int64_t>(std::max(values.reals.size(), values.integers.size())),
-              values.reals.empty() ? values.integers.empty() ? "" : fmt::format("{}", values.integers[0])
-                                   : fmt::format("{}", values.reals[0]));
-      }
+  void values(const std::vector<Values>& all, Of of, const char* whose) {
+    for (const Values& values : all)
+      if (!holds_.values(values, of))
+        add(fmt::format("values \"{}\" of {}", values.name, whose), std::max<std::size_t>(values.size(), 1),
+            !values.reals.empty()      ? fmt::format("{}", values.reals[0])
+            : !values.integers.empty() ? fmt::format("{}", values.integers[0])
+                                       : "");
+  }
+
+  // What TetGen's .poly says of the body to mesh.
+  void boundary() {
+    if (!holds_.boundary)
+      for (const ElementBlock* block : written_)
+        if (block->of_boundary)
+          add("elements as polygons of the boundary to mesh", block->count, element(*block));
+    if (!holds_.facets && !document_.facets.empty())
+      add("facets of several polygons or with holes", document_.facets.size(),
+          fmt::format("element {}", document_.element_tag(document_.facets[0].first)));
+    const auto point = [](const Eigen::Vector3d& p) {
+      return fmt::format("({}, {}, {})", p.x(), p.y(), p.z());
     };
-    check(document_.node_values, "nodes");
-    check(document_.element_values, "elements");
+    if (!holds_.holes && !document_.holes.empty())
+      add("holes", document_.holes.size(), point(document_.holes[0]));
+    if (!holds_.regions && !document_.regions.empty())
+      add("regions", document_.regions.size(), point(document_.regions[0].point));
+    if (holds_.bounds) return;
+    if (!document_.area_bounds.empty())
+      add("bounds of areas", document_.area_bounds.size(),
+          fmt::format("{} for marker {}", document_.area_bounds[0].area, document_.area_bounds[0].marker));
+    if (!document_.length_bounds.empty())
+      add("bounds of lengths", document_.length_bounds.size(),
+          fmt::format("{}", document_.length_bounds[0].length));
+  }
+
+  void rest() {
+    const Voronoi& voronoi = document_.voronoi;
+    if (!holds_.voronoi)
+      add("parts of a Voronoi diagram",
+          voronoi.points.size() + voronoi.edges.size() + voronoi.faces.size() + voronoi.cells.size(),
+          fmt::format("{} points", voronoi.points.size()));
+    if (!holds_.tables)
+      for (const Table& table : document_.tables)
+        add(fmt::format("table \"{}\"", table.name), 1, fmt::format("{} rows", table.rows));
+    if (!holds_.title && !document_.title.empty()) add("title", 1, document_.title);
+    for (const Section& section : document_.sections)
+      if (!holds_.section(section))
+        add(fmt::format("section ${}", section.name), 1, fmt::format("{} bytes", section.body.size()));
   }
 
   const Document& document_;
-  const std::string format_;
-  const bool binary_;
-  const Holds holds_;
-  bool surface_ = false, drops_data_ = false;
-  io::TetgenLimits tetgen_;
-  std::set<std::tuple<int, std::int64_t, std::int32_t>> partitioned_;  // entities
+  const Holds& holds_;
+  std::vector<const ElementBlock*> written_;
   std::vector<Loss> losses_;
 };
 
 }  // namespace
 
+std::vector<Loss> io::unheld(const Document& document, const Holds& holds) {
+  return Lister(document, holds).list();
+}
+
 std::vector<Loss> losses(const std::string& path, const Document& document, const WriteOptions& options) {
-  const Encoding encoding = encoding_of(path, options);
-  return Lister(document, encoding.format, encoding.binary).list();
+  const Holds holds = io::holds_of(path, document, options);
+  return holds.kept_in.empty() ? io::unheld(document, holds) : std::vector<Loss>{};
+}
+
+KeptAside kept_aside(const std::string& path, const Document& document, const WriteOptions& options) {
+  const Holds holds = io::holds_of(path, document, options);
+  if (holds.kept_in.empty()) return {};
+  return {holds.kept_in, io::unheld(document, holds)};
 }
 
 }  // namespace tetproof

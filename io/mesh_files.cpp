@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "io/atomic_file.hpp"
+#include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/gmsh_import.hpp"
+#include "io/holds.hpp"
 #include "io/input_file.hpp"
 #include "io/msh.hpp"
+#include "io/supplement.hpp"
 #include "io/surface_files.hpp"
 #include "io/tetgen.hpp"
 #include "io/vtu.hpp"
@@ -38,6 +42,38 @@ std::string tetgen_stem(const std::string& path) {
   return ending == ".node" || ending == ".ele" ? path.substr(0, path.size() - ending.size()) : path;
 }
 
+// A format, and who reads and writes it.
+struct Codec {
+  Format format;
+  Document (*read)(const std::string& path);
+  /// `supplement`: lines that the file keeps aside, for formats whose Holds say where.
+  void (*write)(const std::string& path, const Document&, bool binary, const std::string& supplement);
+  io::Holds (*holds)(const std::string& path, const Document&, bool binary);
+};
+
+Document read_msh(const std::string& path) {
+  return io::read_msh(InputFile(path));
+}
+
+template <void (*Write)(AtomicFile&, const Document&, bool)>
+void write_one_file(const std::string& path, const Document& document, bool binary, const std::string&) {
+  AtomicFile file(path);
+  Write(file, document, binary);
+  file.commit();
+}
+
+template <void (*Write)(AtomicFile&, const Document&, bool)>
+void write_msh(const std::string& path, const Document& document, bool binary,
+               const std::string& supplement) {
+  AtomicFile file(path);
+  if (!supplement.empty()) file.keep_checksum();
+  Write(file, document, binary);
+  if (!supplement.empty())
+    file.write(fmt::format("$TetproofSupplement\n{}{}$EndTetproofSupplement\n",
+                           io::supplement_head({{"", file.checksum()}}), supplement));
+  file.commit();
+}
+
 // Surface formats have no place for a triangle with a corner that does not exist.
 TriangleSurface writable_surface(const Document& document) {
   TriangleSurface surface = surface_of(document);
@@ -47,23 +83,97 @@ TriangleSurface writable_surface(const Document& document) {
   return surface;
 }
 
+template <const char* const& Name>
+Document read_as_surface(const std::string& path) {
+  Document document = document_of(read_surface(path));
+  document.path = path;
+  document.format = Name;
+  return document;
+}
+
+template <const char* const& Name>
+void write_as_surface(const std::string& path, const Document& document, bool binary, const std::string&) {
+  write_surface(path, writable_surface(document), {.format = Name, .ascii = !binary});
+}
+
+// Triangles by their corners, and no number but the order.
+template <const char* const& Name>
+io::Holds surface_holds(const std::string&, const Document&, bool binary) {
+  const bool stl = std::string_view(Name) == "stl";
+  io::Holds holds;
+  holds.which_nodes = stl ? io::Holds::Nodes::of_elements : io::Holds::Nodes::of_no_other_elements;
+  holds.single = stl && binary;
+  holds.nodes_each = [](const ElementBlock& block) {
+    const io::ElementType* type = io::element_type(block.type);
+    return type && type->shape == io::Shape::triangle ? 3 : 0;
+  };
+  return holds;
+}
+
+constexpr const char *stl = "stl", *off = "off", *obj = "obj", *ply = "ply";
+
+template <const char* const& Name>
+Codec surface(Format format) {
+  return {std::move(format), read_as_surface<Name>, write_as_surface<Name>, surface_holds<Name>};
+}
+
+const std::vector<Codec>& codecs() {
+  static const std::vector<Codec> all{
+      {{.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
+       read_msh,
+       write_msh<io::write_msh41>,
+       [](const std::string&, const Document& document, bool binary) {
+         return io::msh_holds(document, "msh41", binary);
+       }},
+      {{.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
+       read_msh,
+       write_msh<io::write_msh22>,
+       [](const std::string&, const Document& document, bool binary) {
+         return io::msh_holds(document, "msh22", binary);
+       }},
+      {{.name = "tetgen",
+        .what = "TetGen .node and .ele",
+        .endings = {".node", ".ele"},
+        .reads = true,
+        .binary = false},
+       [](const std::string& path) { return io::read_tetgen(tetgen_stem(path), ending_of(path) == ".ele"); },
+       [](const std::string& path, const Document& document, bool, const std::string& supplement) {
+         io::write_tetgen(tetgen_stem(path), document, supplement);
+       },
+       [](const std::string&, const Document& document, bool) { return io::tetgen_holds(document); }},
+      {{.name = "vtu", .what = "VTK XML unstructured grid", .endings = {".vtu"}, .usually_binary = true},
+       nullptr,
+       write_one_file<io::write_vtu>,
+       [](const std::string&, const Document&, bool) { return io::vtu_holds(); }},
+      surface<stl>(
+          {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true}),
+      surface<off>(
+          {.name = "off", .what = "OFF surface", .endings = {".off"}, .reads = true, .binary = false}),
+      surface<obj>({.name = "obj",
+                    .what = "Wavefront OBJ surface",
+                    .endings = {".obj"},
+                    .reads = true,
+                    .binary = false}),
+      surface<ply>(
+          {.name = "ply", .what = "PLY surface", .endings = {".ply"}, .reads = true, .usually_binary = true}),
+  };
+  return all;
+}
+
+const Codec& codec_named(const std::string& name) {
+  for (const Codec& codec : codecs())
+    if (codec.format.name == name) return codec;
+  throw std::logic_error("no codec for " + name);
+}
+
 }  // namespace
 
 const std::vector<Format>& formats() {
-  static const std::vector<Format> all{
-      {.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
-      {.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
-      {.name = "tetgen",
-       .what = "TetGen .node and .ele",
-       .endings = {".node", ".ele"},
-       .reads = true,
-       .binary = false},
-      {.name = "vtu", .what = "VTK XML unstructured grid", .endings = {".vtu"}, .usually_binary = true},
-      {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true},
-      {.name = "off", .what = "OFF surface", .endings = {".off"}, .reads = true, .binary = false},
-      {.name = "obj", .what = "Wavefront OBJ surface", .endings = {".obj"}, .reads = true, .binary = false},
-      {.name = "ply", .what = "PLY surface", .endings = {".ply"}, .reads = true, .usually_binary = true},
-  };
+  static const std::vector<Format> all = [] {
+    std::vector<Format> list;
+    for (const Codec& codec : codecs()) list.push_back(codec.format);
+    return list;
+  }();
   return all;
 }
 
@@ -94,38 +204,32 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options) {
 }
 
 Document read_document(const std::string& path) {
-  const Format* format = format_with(ending_of(path));
-  const std::string name = format ? format->name : "";
-  if (name == "tetgen") return io::read_tetgen(tetgen_stem(path), ending_of(path) == ".ele");
-  if (name == "msh41") return io::read_msh(InputFile(path));
-  if (format && !format->reads)
-    throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
+  if (const Format* format = format_with(ending_of(path))) {
+    if (!format->reads) throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
+    return codec_named(format->name).read(path);
+  }
   const std::vector<std::string>& through_gmsh = io::gmsh_endings();
-  if (!format && std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
+  if (std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
     return io::read_through_gmsh(path);
-  if (!format) {  // the content may tell
+  {  // the content may tell
     const InputFile file(path);
     if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
   }
   Document document = document_of(read_surface(path));
   document.path = path;
-  document.format = format ? format->name : "surface";
+  document.format = "surface";
   return document;
+}
+
+io::Holds io::holds_of(const std::string& path, const Document& document, const WriteOptions& options) {
+  const auto [format, binary] = encoding_of(path, options);
+  return codec_named(format).holds(path, document, binary);
 }
 
 void write_document(const std::string& path, const Document& document, const WriteOptions& options) {
   const auto [format, binary] = encoding_of(path, options);
-  if (format == "tetgen") return io::write_tetgen(tetgen_stem(path), document);
-  if (format != "msh41" && format != "msh22" && format != "vtu")
-    return write_surface(path, writable_surface(document), {.format = format, .ascii = !binary});
-  AtomicFile file(path);
-  if (format == "msh41")
-    io::write_msh41(file, document, binary);
-  else if (format == "msh22")
-    io::write_msh22(file, document, binary);
-  else
-    io::write_vtu(file, document, binary);
-  file.commit();
+  const Codec& codec = codec_named(format);
+  codec.write(path, document, binary, io::supplement_of(document, codec.holds(path, document, binary)));
 }
 
 }  // namespace tetproof

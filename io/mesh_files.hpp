@@ -48,8 +48,9 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options);
 Document read_document(const std::string& path);
 
 /// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in
-/// io/losses.hpp lists it. InputError when the place cannot be written, or when the format cannot be written
-/// in the encoding asked for.
+/// io/losses.hpp lists it; and `kept_aside` what stands in a corner of the file for `read_document` alone.
+/// InputError when the place cannot be written, or when the format cannot be written in the encoding asked
+/// for.
 void write_document(const std::string& path, const Document& document, const WriteOptions& options = {});
 
 }  // namespace tetproof

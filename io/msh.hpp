@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
+#include "io/holds.hpp"
 #include "io/input_file.hpp"
 
 namespace tetproof::io {
@@ -16,6 +17,8 @@ Document read_msh(const InputFile& file);
 /// Binary numbers are in this machine's byte order, which the file names.
 void write_msh22(AtomicFile& file, const Document& document, bool binary);
 void write_msh41(AtomicFile& file, const Document& document, bool binary);
+
+Holds msh_holds(const Document& document, const std::string& format, bool binary);
 
 /// Whether a section that was kept as it stood means the same in a file of this kind.
 bool keeps_section(const Section& section, const std::string& format, bool binary);

@@ -11,6 +11,7 @@
 #include "io/error.hpp"
 #include "io/msh.hpp"
 #include "io/msh_sections.hpp"
+#include "io/supplement.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -44,6 +45,7 @@ class Reader {
     if (!has_nodes_) in_.fail("a section $Nodes", {});
     if (!has_elements_) in_.fail("a section $Elements", {});
     finish();
+    if (!supplement_.empty()) take_back_supplement();
     return std::move(document_);
   }
 
@@ -69,6 +71,9 @@ class Reader {
       Numbers numbers = numbers_here();
       read_partitioned_entities4(numbers, format_name == "msh40", document_, sets_);
       go_to(numbers.offset());
+    } else if (name == "TetproofSupplement") {
+      supplement();
+      return;
     } else {
       keep(name);
       return;
@@ -162,7 +167,8 @@ class Reader {
     go_to(numbers.offset());
   }
 
-  void keep(const std::string& name) {
+  // The content of a section that is not read word by word; goes on behind its end.
+  std::string_view verbatim(const std::string& name) {
     const std::string end = "$End" + name;
     const std::size_t start = in_.offset();
     const std::string_view bytes = file_.bytes();
@@ -175,13 +181,34 @@ class Reader {
       const bool starts_line = binary_ || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
       if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' ')) break;
     }
+    go_to(stop + end.size());
+    return bytes.substr(start, stop - start);
+  }
+
+  void keep(const std::string& name) {
+    const std::string_view body = verbatim(name);
     document_.sections.push_back({.name = name,
-                                  .body = std::string(bytes.substr(start, stop - start)),
+                                  .body = std::string(body),
                                   .format = document_.format,
                                   .binary = binary_,
                                   .swapped = swapped_,
                                   .before_nodes = !has_nodes_});
-    go_to(stop + end.size());
+  }
+
+  // Lines that are taken back when all else is read.
+  void supplement() {
+    if (!supplement_.empty()) in_.fail_in_line("a second supplement");
+    native_part_ = file_.bytes().substr(0, file_.bytes().rfind('$', in_.offset() - 1));
+    supplement_ = verbatim("TetproofSupplement");
+  }
+
+  void take_back_supplement() {
+    const std::vector<Checksum> checksums = read_supplement_head(supplement_, document_);
+    if (checksums.empty()) return;
+    if (checksums.size() == 1 && crc32_of(native_part_) == checksums[0].crc32)
+      take_back(supplement_, document_.path + ": section $TetproofSupplement", document_);
+    else
+      document_.warnings.push_back(outdated_supplement(document_.path));
   }
 
   void finish() {
@@ -225,6 +252,7 @@ class Reader {
   Document document_;
   TagSets sets_;
   std::optional<NodeIndex> index_;
+  std::string_view supplement_, native_part_;
   bool binary_ = false, swapped_ = false;
   ElementTags element_tags_ = ElementTags::v22;
   bool has_nodes_ = false, has_elements_ = false, nodes_came_later_ = false;

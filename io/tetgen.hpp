@@ -6,6 +6,7 @@
 
 #include "io/document.hpp"
 #include "io/element_types.hpp"
+#include "io/holds.hpp"
 
 namespace tetproof::io {
 
@@ -25,8 +26,11 @@ struct TetgenLimits {
 };
 TetgenLimits tetgen_limits(const Document& document);
 
+Holds tetgen_holds(const Document& document);
+
 /// Writes `stem`.node and `stem`.ele, the tetrahedra only, with the values called "attributes" and "markers".
-void write_tetgen(const std::string& stem, const Document& document);
+/// `supplement`: what the rest of the document comes to, io/supplement.hpp; it stands in comments.
+void write_tetgen(const std::string& stem, const Document& document, const std::string& supplement = {});
 
 /// The values called `name`, or null.
 const Values* values_named(const std::vector<Values>& values, const std::string& name);

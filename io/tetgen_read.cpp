@@ -13,6 +13,7 @@
 #include "io/large_pages.hpp"
 #include "io/node_index.hpp"
 #include "io/plain_lines.hpp"
+#include "io/supplement.hpp"
 #include "io/tetgen.hpp"
 
 namespace tetproof::io {
@@ -298,6 +299,7 @@ Document read_tetgen(const std::string& stem, bool needs_elements) {
     document.warnings.push_back(fmt::format("{}.node: there is no {}.ele beside it: nodes only", stem, stem));
   read_nodes(InputFile(stem + ".node"), document);
   if (elements) read_elements(*elements, document);
+  take_back_comments(stem + ".node", stem, document);
   return document;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/supplement.hpp"
 #include "io/tetgen.hpp"
 #include "io/text_output.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 bool is_tetrahedra(const ElementBlock& block) {
   const ElementType* type = element_type(block.type);
   return type && type->shape == Shape::tetrahedron;
+}
+
+std::int64_t tetgen_base(const Document& document) {
+  return document.node_tags.empty() && document.first_node == 0 ? 0 : 1;
 }
 
 char* put_values(char* to, const Values* values, std::size_t item) {
@@ -30,7 +35,7 @@ TetgenLimits tetgen_limits(const Document& document) {
   TetgenLimits limits;
   limits.renumber_nodes =
       !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
-  const std::int64_t base = limits.renumber_nodes ? 1 : document.first_node;
+  const std::int64_t base = tetgen_base(document);
   bool any = false, second_order = true;
   std::int64_t number = base;
   for (const ElementBlock& block : document.blocks) {
@@ -44,11 +49,39 @@ TetgenLimits tetgen_limits(const Document& document) {
   return limits;
 }
 
-void write_tetgen(const std::string& stem, const Document& document) {
+namespace {
+
+// A number that no node has must stay one that no node has.
+std::int64_t written_unknown(const Document& document, std::size_t k) {
+  const std::int64_t base = tetgen_base(document), number = document.unknown[k];
+  const auto nodes = static_cast<std::int64_t>(document.points.size());
+  return number >= base && number < base + nodes ? base + nodes + static_cast<std::int64_t>(k) : number;
+}
+
+}  // namespace
+
+Holds tetgen_holds(const Document& document) {
   const TetgenLimits limits = tetgen_limits(document);
-  const std::int64_t base = limits.renumber_nodes ? 1 : document.first_node;
+  Holds holds;
+  holds.kept_in = "comments";
+  holds.unknown_nodes = true;
+  holds.unknown_number = [&document](std::size_t k) { return written_unknown(document, k); };
+  holds.nodes_each = [limits](const ElementBlock& block) {
+    return is_tetrahedra(block) ? limits.nodes_each : 0;
+  };
+  holds.values = [](const Values& values, Of of) {
+    return of != Of::element_node && !values.of_view && values.at.empty() && values.first == 0 &&
+           (values.name == "attributes" || values.name == "markers");
+  };
+  return holds;
+}
+
+void write_tetgen(const std::string& stem, const Document& document, const std::string& supplement) {
+  const TetgenLimits limits = tetgen_limits(document);
+  const std::int64_t base = tetgen_base(document);
   const std::int64_t nodes = static_cast<std::int64_t>(document.points.size());
   AtomicFile node_file(stem + ".node"), element_file(stem + ".ele");
+  if (!supplement.empty()) node_file.keep_checksum(), element_file.keep_checksum();
 
   const Values* attributes = values_named(document.node_values, "attributes");
   const Values* markers = values_named(document.node_values, "markers");
@@ -62,12 +95,7 @@ void write_tetgen(const std::string& stem, const Document& document) {
                 return put(put_values(put_values(to, attributes, i), markers, i), '\n');
               });
 
-  // A number that no node has must stay one that no node has.
-  const auto named = [&](Index i) {
-    if (i >= 0) return base + i;
-    const std::int64_t number = document.unknown[-1 - i];
-    return number >= base && number < base + nodes ? base + nodes - 1 - i : number;
-  };
+  const auto named = [&](Index i) { return i >= 0 ? base + i : written_unknown(document, -1 - i); };
   const Values* element_attributes = values_named(document.element_values, "attributes");
   const int element_columns = element_attributes ? element_attributes->components : 0;
   std::size_t count = 0;
@@ -86,6 +114,9 @@ void write_tetgen(const std::string& stem, const Document& document) {
     });
     written += static_cast<std::int64_t>(block.count);
   }
+  if (!supplement.empty())
+    node_file.write(as_comments(
+        supplement_head({{"", node_file.checksum()}, {".ele", element_file.checksum()}}) + supplement));
   node_file.commit();
   element_file.commit();
 }

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
+#include "io/holds.hpp"
 
 namespace tetproof::io {
 
@@ -15,5 +16,7 @@ int vtk_cell_type(int gmsh_type);
 /// "group" where there are any besides one entity. Elements that VTK does not have, or that name unknown
 /// nodes, are left out.
 void write_vtu(AtomicFile& file, const Document& document, bool binary);
+
+Holds vtu_holds();
 
 }  // namespace tetproof::io

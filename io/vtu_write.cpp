@@ -205,6 +205,19 @@ int vtk_cell_type(int gmsh_type) {
   return 0;
 }
 
+Holds vtu_holds() {
+  Holds holds;
+  holds.element_entities = true;
+  holds.groups = Holds::Groups::first;
+  holds.nodes_each = [](const ElementBlock& block) {
+    return vtk_cell_type(block.type) ? block.nodes_each : 0;
+  };
+  holds.values = [](const Values& values, Of of) {
+    return of != Of::element_node && !values.of_view && values.at.empty() && values.first == 0;
+  };
+  return holds;
+}
+
 void write_vtu(AtomicFile& file, const Document& document, bool binary) {
   Writer(file, document, binary).write();
 }

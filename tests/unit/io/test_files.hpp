@@ -40,6 +40,11 @@ class TestFiles {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
+  /// Cuts off what a .msh file keeps aside, so that the native part is left.
+  static void leave_out_supplement(const std::string& path) {
+    const std::string bytes = read(path);
+    std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.find("$TetproofSupplement"));
+  }
   /// What `work` says when it throws an InputError, without this folder's name; "no error" if it does not.
   template <class Work>
   std::string message(const Work& work) const {

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "io/document_fields.hpp"
+#include "io/error.hpp"
+#include "io/supplement.hpp"
+
+namespace tetproof::io {
+namespace {
+
+class Decoder {
+ public:
+  Decoder(std::string_view text, std::string place) : text_(text), place_(std::move(place)) {}
+
+  template <class... T>
+  void operator()(T&... values) {
+    (get(values), ...);
+  }
+
+  std::string_view word() {
+    while (at_ < text_.size() && text_[at_] <= ' ') ++at_;
+    const std::size_t start = at_;
+    while (at_ < text_.size() && text_[at_] > ' ') ++at_;
+    return text_.substr(start, at_ - start);
+  }
+  std::string_view peek() {
+    const std::size_t here = at_;
+    const std::string_view next = word();
+    at_ = here;
+    return next;
+  }
+
+  /// A number of things of at least two bytes each.
+  std::size_t count() {
+    std::size_t value = 0;
+    get(value);
+    if (value > (text_.size() - at_ + 1) / 2)
+      fail(fmt::format("{} things announced, more than the {} bytes left can hold", value,
+                       text_.size() - at_));
+    return value;
+  }
+
+  [[noreturn]] void fail(std::string_view message) const {
+    throw InputError(fmt::format("{}, byte {} of the supplement: {}", place_, at_, message));
+  }
+
+ private:
+  template <std::integral T>
+  void get(T& value) {
+    std::int64_t wide = 0;
+    number(wide, "an integer");
+    if (!std::in_range<std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>>(wide) ||
+        (std::same_as<T, bool> && wide > 1))
+      fail(fmt::format("{} is out of range", wide));
+    value = static_cast<T>(wide);
+  }
+  void get(double& value) { number(value, "a number"); }
+  void number(auto& value, const char* expected) {
+    const std::string_view next = word();
+    const auto [end, error] = std::from_chars(next.data(), next.data() + next.size(), value);
+    if (error != std::errc() || end != next.data() + next.size() || next.empty())
+      fail(fmt::format("expected {}, found '{}'", expected, next.substr(0, 40)));
+  }
+  void get(std::string& text) {
+    text.clear();
+    for (std::size_t pieces = count(); pieces > 0; --pieces) {
+      const std::string_view piece = word();
+      if (!piece.starts_with('"')) fail("expected a text");
+      for (std::size_t i = 1; i < piece.size(); ++i) {
+        unsigned byte = static_cast<unsigned char>(piece[i]);
+        if (piece[i] == '\\') {
+          const std::string_view digits = piece.substr(i + 1, 2);
+          const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+          if (error != std::errc() || digits.size() != 2 || end != digits.data() + 2)
+            fail("expected two hexadecimal digits behind a backslash");
+          i += 2;
+        }
+        text += static_cast<char>(byte);
+      }
+    }
+  }
+  void get(Eigen::Vector3d& p) { (*this)(p[0], p[1], p[2]); }
+  template <class T, std::size_t N>
+  void get(std::array<T, N>& values) {
+    for (T& value : values) get(value);
+  }
+  template <class T>
+  void get(std::vector<T>& values) {
+    values.clear();
+    for (std::size_t left = count(); left > 0; --left) get(values.emplace_back());
+  }
+  template <class T>
+    requires std::is_class_v<T>
+  void get(T& part) {
+    fields(part, *this);
+  }
+
+  std::string_view text_;
+  const std::string place_;
+  std::size_t at_ = 0;
+};
+
+// A block of the original document, and what the native part has of it.
+struct Block {
+  ElementBlock block;
+  int kind = 0;
+  bool written = false, native = false;
+  std::vector<Index> listed;  // connectivity, if it is not native
+};
+
+class Joiner {
+ public:
+  Joiner(Decoder& in, Document& native) : in_(in), native_(native) {}
+
+  void join() {
+    for (std::string_view name = in_.word(); !name.empty(); name = in_.word()) field(name);
+    check();
+  }
+
+ private:
+  void field(std::string_view name) {
+    Document& d = native_;
+    if (name == "unknown") {
+      unknown();
+    } else if (name == "tag_sets") {
+      in_(d.tag_sets);
+    } else if (name == "blocks") {
+      blocks();
+    } else if (name == "node_tags") {
+      in_(d.first_node, d.node_tags);
+    } else if (name == "element_tags") {
+      in_(d.first_element, d.element_tags);
+    } else if (name == "node_blocks") {
+      in_(d.node_blocks, d.parameters);
+    } else if (name == "entities") {
+      in_(d.entities);
+    } else if (name == "groups") {
+      in_(d.group_names);
+    } else if (name == "partitions") {
+      in_(d.partitions, d.ghosts);
+    } else if (name == "ghost_elements") {
+      in_(d.ghost_elements);
+      for (GhostElement& ghost : d.ghost_elements) rename(ghost.element);
+    } else if (name == "periodic") {
+      in_(d.periodic);
+      for (PeriodicLink& link : d.periodic)
+        for (auto& pair : link.nodes) rename(pair[0]), rename(pair[1]);
+    } else if (name == "node_values") {
+      all_values(d.node_values);
+    } else if (name == "element_values") {
+      all_values(d.element_values);
+    } else if (name == "element_node_values") {
+      all_values(d.element_node_values);
+    } else if (name == "facets") {
+      in_(d.facets);
+    } else if (name == "holes") {
+      in_(d.holes);
+    } else if (name == "regions") {
+      in_(d.regions);
+    } else if (name == "bounds") {
+      in_(d.area_bounds, d.length_bounds);
+      for (LengthBound& bound : d.length_bounds) rename(bound.nodes[0]), rename(bound.nodes[1]);
+    } else if (name == "voronoi") {
+      in_(d.voronoi);
+    } else if (name == "tables") {
+      in_(d.tables);
+    } else if (name == "title") {
+      in_(d.title);
+    } else if (name == "sections") {
+      sections();
+    } else {
+      in_.fail(fmt::format("expected the name of a field, found '{}'", name.substr(0, 40)));
+    }
+  }
+
+  // The document's unknown numbers, under which the native part has them, and where they come to stand now.
+  void unknown() {
+    std::vector<std::int64_t> numbers, written;
+    in_(numbers, written);
+    if (written.size() != numbers.size()) in_.fail("two lists of unknown numbers differ in length");
+    std::map<std::int64_t, std::size_t> place;
+    for (std::size_t k = 0; k < native_.unknown.size(); ++k) place.emplace(native_.unknown[k], k);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto [found, is_new] = place.try_emplace(written[k], native_.unknown.size());
+      if (is_new) native_.unknown.push_back(0);
+      native_.unknown[found->second] = numbers[k];
+      renamed_.push_back(-1 - static_cast<Index>(found->second));
+    }
+  }
+
+  // A position as the document had it, as it is now.
+  void rename(Index& i) const {
+    if (i >= 0) return;
+    const auto k = static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i));
+    if (k >= renamed_.size()) in_.fail(fmt::format("there is no unknown number {}", k));
+    i = renamed_[k];
+  }
+
+  void blocks() {
+    std::vector<Block> all(in_.count());
+    for (Block& b : all) {
+      in_(b.block, b.kind, b.written, b.native);
+      if (b.block.nodes_each < 1) in_.fail("an element has at least one node");
+      if (b.native) continue;
+      const auto each = static_cast<std::size_t>(b.block.nodes_each);
+      for (std::size_t e = 0; e < b.block.count; ++e)
+        for (std::size_t k = 0; k < each; ++k) {
+          in_(b.listed.emplace_back());
+          rename(b.listed.back());
+        }
+    }
+    find_native(all);
+    put_together(all);
+  }
+
+  // The native part has the blocks by kind: where does each one's connectivity stand?
+  void find_native(const std::vector<Block>& all) {
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return all[a].kind < all[b].kind; });
+    source_.assign(all.size(), 0);
+    std::size_t at = 0;    // in the native block `from`, how many of its elements are used up
+    std::size_t from = 0;  // native block
+    const auto& blocks = native_.blocks;
+    for (const std::size_t b : order) {
+      if (!all[b].written) continue;
+      std::size_t left = all[b].block.count;
+      bool first = true;
+      while (left > 0) {
+        if (from == blocks.size()) in_.fail("the file has fewer elements than its supplement speaks of");
+        const ElementBlock& native = blocks[from];
+        if (all[b].native && native.nodes_each != all[b].block.nodes_each)
+          in_.fail("the file has other elements than its supplement speaks of");
+        if (first) source_[b] = native.nodes + at * static_cast<std::size_t>(native.nodes_each);
+        first = false;
+        const std::size_t used = std::min(left, native.count - at);
+        left -= used, at += used;
+        if (at == native.count) ++from, at = 0;
+      }
+    }
+    if (from != blocks.size()) in_.fail("the file has more elements than its supplement speaks of");
+  }
+
+  void put_together(std::vector<Block>& all) {
+    std::vector<ElementBlock> blocks;
+    std::size_t elements = 0, nodes = 0;
+    bool as_it_is = true;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      ElementBlock block = all[b].block;
+      block.first = elements, block.nodes = nodes;
+      as_it_is = as_it_is && all[b].native && source_[b] == nodes;
+      elements += block.count, nodes += block.count * static_cast<std::size_t>(block.nodes_each);
+      blocks.push_back(block);
+    }
+    if (!as_it_is) {
+      std::vector<Index> connectivity;
+      connectivity.reserve(nodes);
+      for (std::size_t b = 0; b < all.size(); ++b) {
+        const std::size_t size = blocks[b].count * static_cast<std::size_t>(blocks[b].nodes_each);
+        const Index* from = all[b].native ? native_.connectivity.data() + source_[b] : all[b].listed.data();
+        connectivity.insert(connectivity.end(), from, from + size);
+      }
+      native_.connectivity = std::move(connectivity);
+    }
+    native_.blocks = std::move(blocks);
+  }
+
+  // Those whose numbers the native part has stand there in the same order, maybe among others.
+  void all_values(std::vector<Values>& all) {
+    std::vector<Values> joined(in_.count());
+    auto next = all.begin();
+    for (Values& values : joined) {
+      bool native = false;
+      in_(values, native);
+      for (Index& i : values.at) rename(i);
+      if (!native) {
+        in_(values.reals, values.integers);
+        continue;
+      }
+      next = std::find_if(next, all.end(), [&](const Values& v) {
+        return v.name == values.name && v.components == values.components;
+      });
+      if (next == all.end()) in_.fail(fmt::format("the file has no values \"{}\"", values.name));
+      values.reals = std::move(next->reals);
+      values.integers = std::move(next->integers);
+      ++next;
+    }
+    all = std::move(joined);
+  }
+
+  void sections() {
+    std::vector<Section> joined(in_.count());
+    std::size_t next = 0;
+    for (Section& section : joined) {
+      bool native = false;
+      in_(native);
+      if (!native) {
+        in_(section);
+        continue;
+      }
+      if (next == native_.sections.size()) in_.fail("the file has fewer sections than its supplement says");
+      section = std::move(native_.sections[next++]);
+    }
+    native_.sections = std::move(joined);
+  }
+
+  // Whatever is used as a position is one.
+  void check() const {
+    const Document& d = native_;
+    const auto expect = [&](bool good, const char* what) {
+      if (!good) in_.fail(fmt::format("{} do not fit the file", what));
+    };
+    const auto is_set = [&](std::int32_t set) {
+      return set >= 0 && static_cast<std::size_t>(set) < d.tag_sets.size();
+    };
+    const auto is_position = [&](Index i, std::size_t size) {
+      return i < 0 ? static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i)) < d.unknown.size()
+                   : static_cast<std::size_t>(i) < size;
+    };
+    const auto is_dim = [](int dim) { return dim >= 0 && dim <= 3; };
+    expect(!d.tag_sets.empty() && d.tag_sets[0].empty(), "sets of tags");
+    for (const ElementBlock& b : d.blocks)
+      expect(is_set(b.groups) && is_set(b.partitions) && is_dim(b.dim), "blocks of elements");
+    for (const Index i : d.connectivity) expect(is_position(i, d.points.size()), "nodes of elements");
+    expect(d.node_tags.empty() || d.node_tags.size() == d.points.size(), "numbers of nodes");
+    expect(d.element_tags.empty() || d.element_tags.size() == d.elements(), "numbers of elements");
+    std::size_t nodes = 0;
+    for (const NodeBlock& b : d.node_blocks) {
+      expect(is_dim(b.dim) && b.first >= nodes && b.first <= d.points.size() &&
+                 b.count <= d.points.size() - b.first && b.parameters_each >= 0 && b.parameters_each <= 3,
+             "blocks of nodes");
+      expect(b.parameters <= d.parameters.size() &&
+                 b.count * static_cast<std::size_t>(b.parameters_each) <= d.parameters.size() - b.parameters,
+             "parametric coordinates");
+      nodes = b.first + b.count;
+    }
+    for (const Entity& e : d.entities)
+      expect(is_dim(e.dim) && e.parent_dim >= -1 && e.parent_dim <= 3 && is_set(e.groups) &&
+                 is_set(e.partitions),
+             "entities");
+    for (const GroupName& n : d.group_names) expect(is_dim(n.dim), "groups");
+    for (const GhostElement& g : d.ghost_elements) expect(is_position(g.element, d.elements()), "ghosts");
+    for (const PeriodicLink& link : d.periodic)
+      for (const auto& pair : link.nodes)
+        expect(is_position(pair[0], d.points.size()) && is_position(pair[1], d.points.size()),
+               "periodic links");
+    for (const Values& v : d.node_values) expect(fits(v, d.points.size(), false), "values of nodes");
+    for (const Values& v : d.element_values) expect(fits(v, d.elements(), false), "values of elements");
+    for (const Values& v : d.element_node_values)
+      expect(fits(v, d.elements(), true), "values of elements' nodes");
+    for (const Facet& f : d.facets)
+      expect(f.first <= d.elements() && f.polygons <= d.elements() - f.first, "facets");
+    for (const LengthBound& b : d.length_bounds)
+      expect(is_position(b.nodes[0], d.points.size()) && is_position(b.nodes[1], d.points.size()),
+             "bounds of lengths");
+  }
+
+  bool fits(const Values& v, std::size_t items, bool of_nodes) const {
+    if (v.components < 0 || (!v.reals.empty() && !v.integers.empty())) return false;
+    for (const Index i : v.at)
+      if (i >= 0 ? static_cast<std::size_t>(i) >= items
+                 : static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i)) >= native_.unknown.size())
+        return false;
+    const std::size_t here = v.items();
+    if (v.at.empty() ? v.first > items || here > items - v.first : v.at.size() != here) return false;
+    if (of_nodes != !v.nodes.empty() && here > 0) return false;
+    std::size_t each = 0;
+    for (const std::int32_t nodes : v.nodes) {
+      if (nodes < 0) return false;
+      each += static_cast<std::size_t>(nodes);
+    }
+    return v.size() == (of_nodes ? each : here) * static_cast<std::size_t>(v.components);
+  }
+
+  Decoder& in_;
+  Document& native_;
+  std::vector<Index> renamed_;       // of unknown numbers
+  std::vector<std::size_t> source_;  // where in the native connectivity each block starts
+};
+
+}  // namespace
+
+std::vector<Checksum> read_supplement_head(std::string_view lines, Document& native) {
+  Decoder in(lines.substr(0, lines.find('\n')), native.path);
+  if (in.word() != "tetproof" || in.word() != "1") {
+    native.warnings.push_back(
+        fmt::format("{}: the supplement is of a version that is not known here: it is ignored", native.path));
+    return {};
+  }
+  std::vector<Checksum> checksums;
+  for (std::string_view ending = in.word(); !ending.empty(); ending = in.word()) {
+    Checksum& checksum = checksums.emplace_back();
+    if (ending != "this") checksum.ending = ending;
+    const std::string_view digits = in.word();
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), checksum.crc32, 16);
+    if (error != std::errc() || end != digits.data() + digits.size()) in.fail("expected a checksum");
+  }
+  return checksums;
+}
+
+void take_back(std::string_view lines, const std::string& place, Document& native) {
+  const std::size_t head = lines.find('\n');
+  Decoder in(head == lines.npos ? std::string_view{} : lines.substr(head), place);
+  Joiner(in, native).join();
+}
+
+}  // namespace tetproof::io
