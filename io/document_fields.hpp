@@ -67,8 +67,9 @@ void fields(Is<Column> auto& c, auto&& archive) {
 void fields(Is<Table> auto& t, auto&& archive) {
   archive(t.name, t.rows, t.columns);
 }
+/// Not its body.
 void fields(Is<Section> auto& s, auto&& archive) {
-  archive(s.name, s.body, s.format, s.binary, s.swapped, s.before_nodes);
+  archive(s.name, s.format, s.binary, s.swapped, s.before_nodes);
 }
 
 }  // namespace tetproof::io

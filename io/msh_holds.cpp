@@ -68,7 +68,7 @@ Holds msh_holds(const Document& document, const std::string& format, bool binary
   format == "msh22" ? ask_msh22(document, binary, holds) : ask_msh4(document, holds);
   const bool numbers = holds.node_tags && holds.element_tags;  // sections speak of them
   holds.section = [format, binary, numbers](const Section& section) {
-    return numbers && keeps_section(section, format, binary);
+    return numbers && section.body.ends_with('\n') && keeps_section(section, format, binary);
   };
   return holds;
 }

@@ -301,13 +301,13 @@ class Joiner {
     std::size_t next = 0;
     for (Section& section : joined) {
       bool native = false;
-      in_(native);
+      in_(section, native);
       if (!native) {
-        in_(section);
+        in_(section.body);
         continue;
       }
       if (next == native_.sections.size()) in_.fail("the file has fewer sections than its supplement says");
-      section = std::move(native_.sections[next++]);
+      section.body = std::move(native_.sections[next++].body);
     }
     native_.sections = std::move(joined);
   }

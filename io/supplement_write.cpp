@@ -136,8 +136,7 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   if (!holds.node_tags) out.field("node_tags", document.first_node, document.node_tags);
   if (!holds.element_tags || !in_order(document, holds))
     out.field("element_tags", document.first_element, document.element_tags);
-  if (!holds.node_entities || !holds.parameters)
-    out.field("node_blocks", document.node_blocks, document.parameters);
+  out.field("node_blocks", document.node_blocks, document.parameters);
   out.field("entities", document.entities);
   out.field("groups", document.group_names);
   out.field("partitions", document.partitions, document.ghosts);
@@ -156,8 +155,8 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   out.field("sections", document.sections.size());
   for (const Section& section : document.sections) {
     const bool native = holds.section(section);
-    out(native);
-    if (!native) out(section);
+    out(section, native);
+    if (!native) out(section.body);
   }
   return out.take();
 }

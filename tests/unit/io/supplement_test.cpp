@@ -37,11 +37,11 @@ Document everything() {
       {.type = 4, .dim = 3, .entity = 4, .groups = 2, .nodes_each = 4, .count = 1, .first = 5, .nodes = 19}};
   d.connectivity = {0, 1, 2, 0, 2, -1, 0, 1, 2, 3, 1, 2, -2, 3, 0, 1, 2, 3, 4, 4, 3, 2, 1};
   d.unknown = {99, 2};
-  d.element_tags = {5, 5, 1LL << 40, 3, 8, 2};
+  d.element_tags = {5, 6, 1LL << 40, 3, 8, 2};
   d.entities = {
       {.dim = 3, .tag = 4, .box = {0, 0, 0, 1, 1, 1}, .boundary = {9, -10}},
       {.dim = 3, .tag = 44, .box = {}, .boundary = {}, .parent_dim = 3, .parent = 4, .partitions = 3}};
-  d.group_names = {{3, 9, "a \"name\" with blanks"}, {2, 7, std::string(1000, 'x')}};
+  d.group_names = {{3, 9, "a \"name\" with blanks"}, {2, 7, std::string(300, 'x')}};
   d.partitions = 3;
   d.ghosts = {{12, 2}};
   d.ghost_elements = {{.element = 3, .partition = 1, .ghosts = {2, 3}}, {.element = -1, .partition = 2}};
@@ -69,7 +69,9 @@ Document everything() {
 }
 
 // As the supplement says it, which has all of a document but its points.
-std::string told(const Document& document) {
+std::string told(Document document) {
+  if (!document.node_tags.empty()) document.first_node = 0;
+  if (!document.element_tags.empty()) document.first_element = 0;
   io::Holds nothing;
   nothing.kept_in = "here";
   std::string text = io::supplement_of(document, nothing);
@@ -148,7 +150,8 @@ TEST(SupplementErrors, ArePlain) {
     files.write("a.node", changed);
     return files.message([&] { read_document(files.path("a.node")); });
   };
-  EXPECT_EQ(with("blocks 4", "blocks 999999999").substr(0, 22), "a.node, byte 52 of the");
+  EXPECT_NE(with("blocks 4", "blocks 999999999").find("999999999 things announced, more than the"),
+            std::string::npos);
   EXPECT_NE(with("blocks 4", "blocks 9").find("supplement"), std::string::npos);
   EXPECT_NE(with("tag_sets 4 0", "tag_sets 4 1").find("supplement"), std::string::npos);
   EXPECT_NE(with("facets 1 4 1", "facets 1 6 1").find("facets do not fit the file"), std::string::npos);
