@@ -7,14 +7,17 @@
 #include <stdexcept>
 
 #include "io/atomic_file.hpp"
-#include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/gmsh_import.hpp"
 #include "io/holds.hpp"
 #include "io/input_file.hpp"
 #include "io/msh.hpp"
+#include "io/obj.hpp"
+#include "io/off.hpp"
+#include "io/ply.hpp"
+#include "io/stl.hpp"
 #include "io/supplement.hpp"
-#include "io/surface_files.hpp"
+#include "io/surface_document.hpp"
 #include "io/tetgen.hpp"
 #include "io/vtu.hpp"
 
@@ -74,47 +77,18 @@ void write_msh(const std::string& path, const Document& document, bool binary,
   file.commit();
 }
 
-// Surface formats have no place for a triangle with a corner that does not exist.
-TriangleSurface writable_surface(const Document& document) {
-  TriangleSurface surface = surface_of(document);
-  std::erase_if(surface.triangles, [](const std::array<Index, 3>& triangle) {
-    return std::any_of(triangle.begin(), triangle.end(), [](Index i) { return i < 0; });
-  });
-  return surface;
+Document read_surface_file(const std::string& path) {
+  return io::read_surface_document(InputFile(path), io::Wanted::document).document;
 }
 
-template <const char* const& Name>
-Document read_as_surface(const std::string& path) {
-  Document document = document_of(read_surface(path));
-  document.path = path;
-  document.format = Name;
-  return document;
+template <io::Holds (*Holds)(const Document&, bool)>
+io::Holds holds_whatever_the_path(const std::string&, const Document& document, bool binary) {
+  return Holds(document, binary);
 }
 
-template <const char* const& Name>
-void write_as_surface(const std::string& path, const Document& document, bool binary, const std::string&) {
-  write_surface(path, writable_surface(document), {.format = Name, .ascii = !binary});
-}
-
-// Triangles by their corners, and no number but the order.
-template <const char* const& Name>
-io::Holds surface_holds(const std::string&, const Document&, bool binary) {
-  const bool stl = std::string_view(Name) == "stl";
-  io::Holds holds;
-  holds.which_nodes = stl ? io::Holds::Nodes::of_elements : io::Holds::Nodes::of_no_other_elements;
-  holds.single = stl && binary;
-  holds.nodes_each = [](const ElementBlock& block) {
-    const io::ElementType* type = io::element_type(block.type);
-    return type && type->shape == io::Shape::triangle ? 3 : 0;
-  };
-  return holds;
-}
-
-constexpr const char *stl = "stl", *off = "off", *obj = "obj", *ply = "ply";
-
-template <const char* const& Name>
+template <void (*Write)(AtomicFile&, const Document&, bool), io::Holds (*Holds)(const Document&, bool)>
 Codec surface(Format format) {
-  return {std::move(format), read_as_surface<Name>, write_as_surface<Name>, surface_holds<Name>};
+  return {std::move(format), read_surface_file, write_one_file<Write>, holds_whatever_the_path<Holds>};
 }
 
 const std::vector<Codec>& codecs() {
@@ -145,16 +119,16 @@ const std::vector<Codec>& codecs() {
        nullptr,
        write_one_file<io::write_vtu>,
        [](const std::string&, const Document&, bool) { return io::vtu_holds(); }},
-      surface<stl>(
+      surface<io::write_stl, io::stl_holds>(
           {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true}),
-      surface<off>(
+      surface<io::write_off, io::off_holds>(
           {.name = "off", .what = "OFF surface", .endings = {".off"}, .reads = true, .binary = false}),
-      surface<obj>({.name = "obj",
-                    .what = "Wavefront OBJ surface",
-                    .endings = {".obj"},
-                    .reads = true,
-                    .binary = false}),
-      surface<ply>(
+      surface<io::write_obj, io::obj_holds>({.name = "obj",
+                                             .what = "Wavefront OBJ surface",
+                                             .endings = {".obj"},
+                                             .reads = true,
+                                             .binary = false}),
+      surface<io::write_ply, io::ply_holds>(
           {.name = "ply", .what = "PLY surface", .endings = {".ply"}, .reads = true, .usually_binary = true}),
   };
   return all;
@@ -215,10 +189,7 @@ Document read_document(const std::string& path) {
     const InputFile file(path);
     if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
   }
-  Document document = document_of(read_surface(path));
-  document.path = path;
-  document.format = "surface";
-  return document;
+  return read_surface_file(path);
 }
 
 io::Holds io::holds_of(const std::string& path, const Document& document, const WriteOptions& options) {

@@ -3,18 +3,25 @@
 #pragma once
 
 #include "io/atomic_file.hpp"
+#include "io/document.hpp"
+#include "io/holds.hpp"
 #include "io/input_file.hpp"
-#include "io/triangle_surface.hpp"
+#include "io/surface_document.hpp"
 
 namespace tetproof::io {
 
 /// Reads Geomview's OFF: [ST][C][N]OFF, or no keyword at all; counts on the keyword's line or later, the
-/// number of edges there or not; comments; a line for each point and for each face; what follows a point's
-/// coordinates or a polygon's corners must be numbers and is skipped (colours, normals). 4OFF, nOFF and
-/// binary OFF are refused. Throws InputError.
-TriangleSurface read_off(const InputFile& file);
+/// number of edges there or not; comments; a line for each point and for each face. Nodes are numbered from
+/// 0; a face of two corners is a line, of one a point. Values of nodes: "normal", "color" (of 3 or 4
+/// components; those of plain OFF as well, where every vertex has as many), "texture". Values of elements:
+/// "color". Colours are integers where all of the file with so many components are. The comments above the
+/// counts are the title. 4OFF, nOFF and binary OFF are refused. Throws InputError.
+SurfaceDocument read_off(const InputFile& file, Wanted wanted);
 
-/// OFF as text, exact.
-void write_off(AtomicFile& file, const TriangleSurface& surface);
+/// OFF as text, exact: points, and all points, lines and faces by their corners, but for those that name
+/// nodes which do not exist; values and title as they are read.
+void write_off(AtomicFile& file, const Document& document, bool binary = false);
+
+Holds off_holds(const Document& document, bool binary);
 
 }  // namespace tetproof::io

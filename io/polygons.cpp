@@ -20,11 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Where the fan of a planar and convex polygon starts; -1 and the reason if it is not both.
-struct Fan {
-  std::ptrdiff_t start = -1;
-  std::string fault;
-};
+}  // namespace
 
 Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) {
   const auto n = static_cast<std::ptrdiff_t>(corners.size());
@@ -92,29 +88,66 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
   return {start, {}};
 }
 
-}  // namespace
+namespace {
 
-SurfaceFaces::SurfaceFaces(const InputFile& file, std::vector<Eigen::Vector3d> points, std::int64_t first,
-                           bool text)
-    : file_(file), first_(first), text_(text) {
-  if (points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
-    throw InputError(
-        fmt::format("{}: {} points, at most 2147483647 can be numbered", file.path(), points.size()));
-  moved_ = weld(points);
-  surface_.vertices = std::move(points);
-}
+// Welds the points and cuts faces as they come.
+class Faces {
+ public:
+  Faces(const InputFile& file, SurfaceDocument& source) : file_(file), source_(source) {
+    const std::size_t points = source.document.points.size();
+    if (source.welded)
+      surface_.vertices = std::move(source.document.points);
+    else {
+      moved_ = weld(source.document.points);
+      surface_.vertices = std::move(source.document.points);
+    }
+    points_ = static_cast<std::int64_t>(points);
+  }
 
-void SurfaceFaces::add(std::span<const std::int64_t> face, std::size_t place) {
-  const auto points = static_cast<std::int64_t>(moved_.size());
+  TriangleSurface take() {
+    const Document& document = source_.document;
+    std::size_t triangles = 0;
+    for (const ElementBlock& block : document.blocks)
+      if (block.dim == 2) triangles += block.count * static_cast<std::size_t>(block.nodes_each - 2);
+    surface_.triangles.reserve(triangles);
+    for (const ElementBlock& block : document.blocks) {
+      const bool face = block.dim == 2;
+      if (!face && document.format != "off") continue;
+      const Index* node = document.connectivity.data() + block.nodes;
+      for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
+        add({node, static_cast<std::size_t>(block.nodes_each)}, source_.places[block.first + e]);
+    }
+    return std::move(surface_);
+  }
+
+ private:
+  void add(std::span<const Index> face, std::size_t place);
+  [[noreturn]] void fail(std::size_t place, const std::string& message) const {
+    const Scanner scanner(file_.path(), file_.bytes(), place);
+    if (source_.text) scanner.fail_in_line(message);
+    scanner.fail_at_byte(message);
+  }
+
+  const InputFile& file_;
+  SurfaceDocument& source_;
+  std::int64_t points_ = 0;
+  std::vector<Index> moved_;    // where welding put each point; empty: nowhere else
+  std::vector<Index> corners_;  // of the face at hand
+  TriangleSurface surface_;
+};
+
+void Faces::add(std::span<const Index> face, std::size_t place) {
   if (face.size() < 3) fail(place, fmt::format("face has {} corners, expected at least 3", face.size()));
   corners_.clear();
-  for (const std::int64_t corner : face) {
-    if (corner < 0 || corner >= points)
-      fail(place, points == 0
-                      ? fmt::format("face names vertex {}, but there are no vertices", corner + first_)
-                      : fmt::format("face names vertex {}, expected {} to {}", corner + first_, first_,
-                                    points - 1 + first_));
-    corners_.push_back(moved_[corner]);
+  for (const Index corner : face) {
+    if (corner < 0) {
+      const std::int64_t named = source_.document.unknown[static_cast<std::size_t>(-1 - corner)];
+      const std::int64_t first = source_.document.first_node;
+      fail(place, points_ == 0 ? fmt::format("face names vertex {}, but there are no vertices", named)
+                               : fmt::format("face names vertex {}, expected {} to {}", named, first,
+                                             points_ - 1 + first));
+    }
+    corners_.push_back(moved_.empty() ? corner : moved_[static_cast<std::size_t>(corner)]);
   }
   auto& triangles = surface_.triangles;
   const std::array<Index, 3> as_named{corners_[0], corners_[1], corners_[2]};
@@ -140,10 +173,10 @@ void SurfaceFaces::add(std::span<const std::int64_t> face, std::size_t place) {
     triangles.push_back({corners_[start], corners_[(start + i) % n], corners_[(start + i + 1) % n]});
 }
 
-void SurfaceFaces::fail(std::size_t place, const std::string& message) const {
-  const Scanner scanner(file_.path(), file_.bytes(), place);
-  if (text_) scanner.fail_in_line(message);
-  scanner.fail_at_byte(message);
+}  // namespace
+
+TriangleSurface surface_of_faces(const InputFile& file, SurfaceDocument source) {
+  return Faces(file, source).take();
 }
 
 }  // namespace tetproof::io

@@ -15,6 +15,7 @@
 #include "io/obj.hpp"
 #include "io/off.hpp"
 #include "io/ply.hpp"
+#include "io/polygons.hpp"
 #include "io/stl.hpp"
 
 namespace tetproof {
@@ -70,16 +71,36 @@ bool is_surface_file(const std::string& path) {
   return is_known(ending_of(path));
 }
 
+namespace io {
+
+std::string surface_format(const InputFile& file) {
+  const std::string format = ending_of(file.path());
+  return is_known(format) ? format : format_of_content(file);
+}
+
+SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
+  const std::string format = surface_format(file);
+  if (format == "stl") return read_stl(file, wanted);
+  if (format == "off") return read_off(file, wanted);
+  if (format == "obj") return read_obj(file, wanted);
+  if (format == "ply") return read_ply(file, wanted);
+  fail_unknown(file.path(), ending_of(file.path()), ".stl, .off, .obj, .ply or .msh");
+}
+
+void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
+                            bool binary) {
+  if (format == "stl") return write_stl(file, document, binary);
+  if (format == "off") return write_off(file, document);
+  if (format == "obj") return write_obj(file, document);
+  write_ply(file, document, binary);
+}
+
+}  // namespace io
+
 TriangleSurface read_surface(const std::string& path) {
-  std::string format = ending_of(path);
-  if (format == "msh") return io::welded_surface(read_document(path));
+  if (ending_of(path) == "msh") return io::welded_surface(read_document(path));
   const InputFile file(path);
-  if (!is_known(format)) format = format_of_content(file);
-  if (format == "stl") return io::read_stl(file);
-  if (format == "off") return io::read_off(file);
-  if (format == "obj") return io::read_obj(file);
-  if (format == "ply") return io::read_ply(file);
-  fail_unknown(path, ending_of(path), ".stl, .off, .obj, .ply or .msh");
+  return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
 }
 
 void write_surface(const std::string& path, const TriangleSurface& surface,
@@ -96,14 +117,7 @@ void write_surface(const std::string& path, const TriangleSurface& surface,
         throw InputError(fmt::format("{}: cannot write triangle {}: vertex {} of {} vertices does not exist",
                                      path, t, corner, vertices));
   AtomicFile file(path);
-  if (format == "stl")
-    (options.ascii ? io::write_stl_text : io::write_stl_binary)(file, surface);
-  else if (format == "off")
-    io::write_off(file, surface);
-  else if (format == "obj")
-    io::write_obj(file, surface);
-  else
-    (options.ascii ? io::write_ply_text : io::write_ply_binary)(file, surface);
+  io::write_surface_document(file, document_of(surface), format, !options.ascii);
   file.commit();
 }
 

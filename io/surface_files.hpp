@@ -30,7 +30,8 @@ struct SurfaceWriteOptions {
 /// Writes vertices and triangles, whole or not at all. OFF, OBJ and PLY hold every double exactly; STL has
 /// float32 in its binary form (the default) and keeps triangles only, so that coordinates are rounded,
 /// vertices that no triangle uses are lost, and the rest are renumbered when read again. The parametric
-/// definition is not written. OBJ counts vertices from 1, OFF and PLY from 0. Throws InputError if the place
+/// definition is not written. OBJ counts vertices from 1, OFF and PLY from 0; PLY says float where every
+/// coordinate is one. Throws InputError if the place
 /// cannot be written, the ending names no format, or a triangle names a vertex that does not exist.
 void write_surface(const std::string& path, const TriangleSurface& surface,
                    const SurfaceWriteOptions& options = {});

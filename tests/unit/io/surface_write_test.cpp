@@ -137,9 +137,9 @@ TEST(SurfaceWrite, Texts) {
       "2\n");
   write_surface(files.path("a.stl"), surface, {.ascii = true});
   EXPECT_EQ(files.read(files.path("a.stl")),
-            "solid tetproof\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0.1 "
+            "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0.1 "
             "-0\nendloop\nendfacet\n"
-            "endsolid tetproof\n");
+            "endsolid\n");
 }
 
 TEST(SurfaceWrite, NanAndInfinity) {
