@@ -70,6 +70,34 @@ const char* shape_of(int type) {
   return names[static_cast<int>(known ? known->shape : io::Shape::other)];
 }
 
+// Parts that are told by their number alone, where there are any.
+std::vector<std::pair<std::string, std::size_t>> parts(const Document& document) {
+  const Voronoi& voronoi = document.voronoi;
+  std::vector<std::pair<std::string, std::size_t>> all{
+      {"entities of ghost elements", document.ghosts.size()},
+      {"ghost elements", document.ghost_elements.size()},
+      {"periodic links", document.periodic.size()},
+      {"facets of several polygons or with holes", document.facets.size()},
+      {"holes", document.holes.size()},
+      {"regions", document.regions.size()},
+      {"bounds of areas", document.area_bounds.size()},
+      {"bounds of lengths", document.length_bounds.size()},
+      {"points of a Voronoi diagram", voronoi.points.size()},
+      {"edges of a Voronoi diagram", voronoi.edges.size()},
+      {"faces of a Voronoi diagram", voronoi.faces.size()},
+      {"cells of a Voronoi diagram", voronoi.cells.size()},
+  };
+  std::erase_if(all, [](const auto& part) { return part.second == 0; });
+  return all;
+}
+
+using ValuesOf = std::pair<const std::vector<Values>*, const char*>;
+std::array<ValuesOf, 3> all_values(const Document& document) {
+  return {{{&document.node_values, "node"},
+           {&document.element_values, "element"},
+           {&document.element_node_values, "element_node"}}};
+}
+
 }  // namespace
 
 std::string describe_text(const Document& document) {
@@ -105,10 +133,15 @@ std::string describe_text(const Document& document) {
                         name == figures.names.end() ? "" : fmt::format(" \"{}\"", name->second));
   }
   if (!figures.partitions.empty()) text += fmt::format("{:>10} partitions\n", figures.partitions.size());
-  for (const auto& [values, of] :
-       {std::pair{&document.node_values, "node"}, {&document.element_values, "element"}})
+  for (const auto& [values, of] : all_values(document))
     for (const Values& v : *values)
-      text += fmt::format("{:>10} values \"{}\" for each {}\n", v.components, v.name, of);
+      text += fmt::format("{:>10} {} with {} value{} \"{}\" each\n", v.items(),
+                          std::string_view(of) == "node" ? "nodes" : "elements", v.components,
+                          v.components == 1 ? "" : "s", v.name);
+  for (const auto& [part, number] : parts(document)) text += fmt::format("{:>10} {}\n", number, part);
+  for (const Table& table : document.tables)
+    text += fmt::format("{:>10} rows of {} columns in table \"{}\"\n", table.rows, table.columns.size(),
+                        table.name);
   for (const Section& section : document.sections)
     text += fmt::format("{:>10} bytes in section ${}\n", section.body.size(), section.name);
   return text;
@@ -148,11 +181,17 @@ Json describe_json(const Document& document) {
   }
   json["groups"] = groups;
   json["partitions"] = figures.partitions.size();
-  for (const auto& [values, of] :
-       {std::pair{&document.node_values, "node_values"}, {&document.element_values, "element_values"}}) {
-    json[of] = Json::array();
-    for (const Values& v : *values) json[of].push_back({{"name", v.name}, {"components", v.components}});
+  for (const auto& [values, of] : all_values(document)) {
+    Json& list = json[fmt::format("{}_values", of)] = Json::array();
+    for (const Values& v : *values)
+      list.push_back({{"name", v.name}, {"components", v.components}, {"items", v.items()}});
   }
+  Json& others = json["parts"] = Json::object();
+  for (const auto& [part, number] : parts(document)) others[part] = number;
+  json["tables"] = Json::array();
+  for (const Table& table : document.tables)
+    json["tables"].push_back({{"name", table.name}, {"rows", table.rows}, {"columns", table.columns.size()}});
+  if (!document.title.empty()) json["title"] = document.title;
   json["sections"] = Json::array();
   for (const Section& section : document.sections)
     json["sections"].push_back({{"name", section.name}, {"bytes", section.body.size()}});
