@@ -40,7 +40,8 @@ struct Holds {
   std::int64_t changed_entities = 0;
   std::string changed_entity;
   enum class Groups { none, first, all } groups = Groups::none;
-  bool group_names = false, partitions = false, ghosts = false, parameters = false, periodic = false;
+  bool group_names = false, partitions = false, partition_count = false, ghosts = false, parameters = false,
+       periodic = false;
   bool boundary = false;  ///< that elements are polygons of what to mesh, not of the mesh
   bool facets = false, holes = false, regions = false, bounds = false, voronoi = false, tables = false,
        title = false;

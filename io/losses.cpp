@@ -52,19 +52,36 @@ bool is_plain(std::int64_t first) {
   return first == 0 || first == 1;
 }
 
+// A block and how many of its elements come back.
+struct Written {
+  const ElementBlock* block;
+  int nodes_each;
+  std::size_t count;
+};
+
 class Lister {
  public:
   Lister(const Document& document, const Holds& holds) : document_(document), holds_(holds) {
-    for (const ElementBlock& block : document.blocks)
-      if (holds.nodes_each(block) > 0) written_.push_back(&block);
+    for (const ElementBlock& block : document.blocks) {
+      const int each = holds.nodes_each(block);
+      if (each == 0) continue;
+      std::size_t count = block.count;
+      if (!holds.unknown_nodes && !document.unknown.empty())
+        for (std::size_t e = 0; e < block.count; ++e) count -= names_unknown(block, e);
+      if (count > 0) written_.push_back({&block, each, count});
+    }
+    std::stable_sort(written_.begin(), written_.end(), [&](const Written& x, const Written& y) {
+      return holds_.kind(*x.block) < holds_.kind(*y.block);
+    });
   }
 
   std::vector<Loss> list() {
     elements();
     order();
+    find_nodes();
     node_numbers();
     element_numbers();
-    nodes();
+    coordinates();
     entities_of_elements();
     entities_of_nodes();
     entities();
@@ -94,6 +111,17 @@ class Lister {
     return fmt::format("element {}", document_.element_tag(block.first + e));
   }
 
+  const Index* nodes_of(const ElementBlock& block, std::size_t e) const {
+    return document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
+  }
+  bool names_unknown(const ElementBlock& block, std::size_t e) const {
+    const Index* node = nodes_of(block, e);
+    return std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
+  }
+  bool comes_back(const Written& written, std::size_t e) const {
+    return written.count == written.block->count || !names_unknown(*written.block, e);
+  }
+
   // Elements that are not written, or without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
@@ -102,110 +130,120 @@ class Lister {
       const int each = holds_.nodes_each(block);
       if (each == 0) {
         add(what, block.count, element(block));
-        continue;
+      } else if (!holds_.unknown_nodes && !document_.unknown.empty()) {
+        unknown_nodes(block);
       }
-      if (each < block.nodes_each) add("nodes between the corners of " + what, block.count, element(block));
-      if (!holds_.unknown_nodes && !document_.unknown.empty()) unknown_nodes(block);
     }
+    for (const Written& written : written_)
+      if (written.nodes_each < written.block->nodes_each)
+        add(fmt::format("nodes between the corners of {} of {} nodes (type {})", name_of(written.block->type),
+                        written.block->nodes_each, written.block->type),
+            written.count, element(*written.block));
   }
 
   void unknown_nodes(const ElementBlock& block) {
     for (std::size_t e = 0; e < block.count; ++e) {
-      const Index* node = document_.connectivity.data() + block.nodes + e * block.nodes_each;
-      const Index* bad = std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
-      if (bad != node + block.nodes_each)
-        add("elements that name nodes which do not exist", 1,
-            fmt::format("{} names node {}", element(block, e), document_.named(*bad)));
+      if (!names_unknown(block, e)) continue;
+      const Index* node = nodes_of(block, e);
+      const Index bad = *std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
+      add("elements that name nodes which do not exist", 1,
+          fmt::format("{} names node {}", element(block, e), document_.named(bad)));
     }
   }
 
+  // The writer puts them together by kind.
   void order() {
-    int last = 0;
-    for (const ElementBlock* block : written_) {
-      const int kind = holds_.kind(*block);
-      if (block != written_.front() && kind < last)
-        return add("order of elements", 1, fmt::format("{} comes before those above it", element(*block)));
-      last = kind;
+    for (std::size_t i = 1; i < written_.size(); ++i)
+      if (written_[i].block < written_[i - 1].block)
+        return add("order of elements", 1,
+                   fmt::format("{} comes before those above it", element(*written_[i - 1].block)));
+  }
+
+  // The nodes that come back, in the order in which they do; empty: all as they are.
+  void find_nodes() {
+    if (holds_.which_nodes == Holds::Nodes::all && !holds_.nodes_by_place) return;
+    std::vector<bool> seen(document_.points.size()), of_others(document_.points.size());
+    std::vector<Index> by_elements;
+    for (const Written& written : written_)
+      for (std::size_t e = 0; e < written.block->count; ++e)
+        for (int k = 0; k < written.nodes_each && comes_back(written, e); ++k) {
+          const Index node = nodes_of(*written.block, e)[k];
+          if (node < 0 || seen[static_cast<std::size_t>(node)]) continue;
+          seen[static_cast<std::size_t>(node)] = true;
+          by_elements.push_back(node);
+        }
+    if (holds_.nodes_by_place) {
+      nodes_by_place(by_elements);
+      nodes_ = std::move(by_elements);
+    } else {
+      if (holds_.which_nodes == Holds::Nodes::of_no_other_elements)
+        for (const Index node : document_.connectivity)
+          if (node >= 0) of_others[static_cast<std::size_t>(node)] = true;
+      for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i] || (holds_.which_nodes == Holds::Nodes::of_no_other_elements && !of_others[i]))
+          nodes_.push_back(static_cast<Index>(i));
     }
+    some_nodes_ = true;
+    std::vector<bool> kept(document_.points.size());
+    for (const Index node : nodes_) kept[static_cast<std::size_t>(node)] = true;
+    const auto first = std::find(kept.begin(), kept.end(), false) - kept.begin();
+    std::size_t lost = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    if (lost > 0)
+      add("nodes of no element that is written", lost,
+          fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(first))));
   }
 
+  // One for each place.
+  void nodes_by_place(std::vector<Index>& nodes) {
+    if (!std::is_sorted(nodes.begin(), nodes.end()))
+      add("order of nodes", 1,
+          fmt::format("the first is node {}", document_.node_tag(static_cast<std::size_t>(nodes[0]))));
+    std::vector<Eigen::Vector3d> corners;
+    for (const Index node : nodes) corners.push_back(document_.points[static_cast<std::size_t>(node)]);
+    io::weld(corners);
+    add("nodes at the place of another one", nodes.size() - corners.size(),
+        fmt::format("of {}", nodes.size()));
+  }
+
+  std::size_t nodes() const { return some_nodes_ ? nodes_.size() : document_.points.size(); }
+  std::size_t node(std::size_t i) const { return some_nodes_ ? static_cast<std::size_t>(nodes_[i]) : i; }
+
+  // Those that come back count up from 0 or 1, or their numbers are lost.
   void node_numbers() {
-    const bool any = !document_.node_tags.empty() || !is_plain(document_.first_node);
-    if (!holds_.node_tags && any && !document_.points.empty())
-      add("numbers of nodes", document_.points.size(), fmt::format("the first is {}", document_.node_tag(0)));
+    if (holds_.node_tags || nodes() == 0) return;
+    if (!some_nodes_ && document_.node_tags.empty() && is_plain(document_.first_node)) return;
+    std::int64_t next = document_.node_tag(node(0));
+    bool plain = is_plain(next);
+    for (std::size_t i = 0; i < nodes() && plain; ++i) plain = document_.node_tag(node(i)) == next++;
+    if (!plain) add("numbers of nodes", nodes(), fmt::format("the first is {}", document_.node_tag(node(0))));
   }
 
-  // Those that are written count up from 0 or 1, or their numbers are lost.
   void element_numbers() {
     if (holds_.element_tags || written_.empty()) return;
-    std::vector<const ElementBlock*> blocks = written_;
-    std::stable_sort(blocks.begin(), blocks.end(), [&](const ElementBlock* a, const ElementBlock* b) {
-      return holds_.kind(*a) < holds_.kind(*b);
-    });
-    std::int64_t next = document_.element_tag(blocks[0]->first);
-    bool plain = is_plain(next);
+    std::int64_t first = 0, next = 0;
+    bool plain = true, begun = false;
     std::size_t count = 0;
-    for (const ElementBlock* block : blocks) {
-      count += block->count;
-      for (std::size_t e = 0; e < block->count && plain; ++e)
-        plain = document_.element_tag(block->first + e) == next++;
-    }
-    if (!plain)
-      add("numbers of elements", count,
-          fmt::format("the first is {}", document_.element_tag(blocks[0]->first)));
-  }
-
-  void nodes() {
-    if (holds_.nodes_by_place) nodes_by_place();
-    if (holds_.which_nodes == Holds::Nodes::all && !holds_.single) return;
-    std::vector<bool> written(document_.points.size()), of_others(document_.points.size());
-    for (const ElementBlock& block : document_.blocks) {
-      const int each = holds_.nodes_each(block);
-      for (std::size_t k = 0; k < block.count * block.nodes_each; ++k) {
-        const Index node = document_.connectivity[block.nodes + k];
-        if (node < 0) continue;
-        const bool is_written = static_cast<int>(k % static_cast<std::size_t>(block.nodes_each)) < each;
-        (is_written ? written : of_others)[static_cast<std::size_t>(node)] = true;
+    for (const Written& written : written_) {
+      count += written.count;
+      for (std::size_t e = 0; e < written.block->count && (plain || !begun); ++e) {
+        if (!comes_back(written, e)) continue;
+        const std::int64_t tag = document_.element_tag(written.block->first + e);
+        if (!begun) first = next = tag, plain = is_plain(tag), begun = true;
+        plain = plain && tag == next++;
       }
     }
-    std::size_t lost = 0, rounded = 0, first = 0;
+    if (!plain) add("numbers of elements", count, fmt::format("the first is {}", first));
+  }
+
+  void coordinates() {
+    if (!holds_.single) return;
+    std::size_t rounded = 0;
     std::string example;
-    for (std::size_t i = 0; i < written.size(); ++i) {
-      const bool keeps = written[i] || holds_.which_nodes == Holds::Nodes::all ||
-                         (holds_.which_nodes == Holds::Nodes::of_no_other_elements && !of_others[i]);
-      if (!keeps && lost++ == 0) first = i;
-      for (const double x : document_.points[i])
-        if (keeps && holds_.single && !std::isnan(x) && static_cast<double>(static_cast<float>(x)) != x &&
-            rounded++ == 0)
+    for (std::size_t i = 0; i < nodes(); ++i)
+      for (const double x : document_.points[node(i)])
+        if (!std::isnan(x) && static_cast<double>(static_cast<float>(x)) != x && rounded++ == 0)
           example = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
-    }
-    add("nodes of no element that is written", lost,
-        lost ? fmt::format("node {}", document_.node_tag(first)) : "");
     add("coordinates rounded to 32 bits", rounded, example);
-  }
-
-  // Nodes come back in the order in which elements name them, and one for each place.
-  void nodes_by_place() {
-    std::vector<Eigen::Vector3d> corners;
-    Index last = -1;
-    std::vector<bool> seen(document_.points.size());
-    std::string out_of_order;
-    for (const ElementBlock* block : written_)
-      for (std::size_t k = 0; k < block->count * block->nodes_each; ++k) {
-        const Index node = document_.connectivity[block->nodes + k];
-        const bool is_written =
-            static_cast<int>(k % static_cast<std::size_t>(block->nodes_each)) < holds_.nodes_each(*block);
-        if (node < 0 || !is_written || seen[static_cast<std::size_t>(node)]) continue;
-        seen[static_cast<std::size_t>(node)] = true;
-        corners.push_back(document_.points[static_cast<std::size_t>(node)]);
-        if (node < last && out_of_order.empty())
-          out_of_order = fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(node)));
-        last = node;
-      }
-    if (!out_of_order.empty()) add("order of nodes", 1, out_of_order);
-    const std::size_t all = corners.size();
-    io::weld(corners);
-    add("nodes at the place of another one", all - corners.size(), fmt::format("of {}", all));
   }
 
   // An entity that is nothing but a number, the only one or none, is no loss.
@@ -214,15 +252,18 @@ class Lister {
       add("numbers of entities", static_cast<std::size_t>(holds_.changed_entities), holds_.changed_entity);
       return;
     }
-    for (const ElementBlock* block : written_)
-      if (block->entity != 0 && block->entity != 1)
-        add("entities of elements", block->count,
-            fmt::format("{} in entity {}", element(*block), block->entity));
+    for (const Written& written : written_)
+      if (written.block->entity != 0 && written.block->entity != 1)
+        add("entities of elements", written.count,
+            fmt::format("{} in entity {}", element(*written.block), written.block->entity));
   }
 
   void entities_of_nodes() {
-    if (holds_.node_entities || document_.node_blocks.size() < 2) return;
-    const NodeBlock& block = document_.node_blocks[0];
+    const auto& blocks = document_.node_blocks;
+    if (holds_.node_entities || blocks.empty() ||
+        (blocks.size() == 1 && blocks[0].count == document_.points.size()))
+      return;
+    const NodeBlock& block = blocks[0];
     add("entities of nodes", document_.points.size(),
         fmt::format("node {} on entity {} of dimension {}", document_.node_tag(block.first), block.entity,
                     block.dim));
@@ -241,17 +282,18 @@ class Lister {
   }
 
   void groups() {
-    for (const ElementBlock* block : written_) {
-      const auto& tags = document_.tag_sets[static_cast<std::size_t>(block->groups)];
-      const std::string first = fmt::format("{} in groups {}", element(*block), fmt::join(tags, " "));
+    for (const Written& written : written_) {
+      const ElementBlock& block = *written.block;
+      const auto& tags = document_.tag_sets[static_cast<std::size_t>(block.groups)];
+      const std::string first = fmt::format("{} in groups {}", element(block), fmt::join(tags, " "));
       if (holds_.groups_of) {
-        if (!holds_.groups_of(*block)) add("physical groups of elements", block->count, first);
+        if (!holds_.groups_of(block)) add("physical groups of elements", written.count, first);
         continue;
       }
       if (holds_.groups == Holds::Groups::none && !tags.empty())
-        add("physical groups of elements", block->count, first);
+        add("physical groups of elements", written.count, first);
       if (holds_.groups == Holds::Groups::first && tags.size() > 1)
-        add("physical groups beyond an element's first", block->count, first);
+        add("physical groups beyond an element's first", written.count, first);
     }
     for (const GroupName& name : document_.group_names)
       if (holds_.name ? !holds_.name(name) : !holds_.group_names)
@@ -259,12 +301,17 @@ class Lister {
   }
 
   void partitions() {
-    if (!holds_.partitions)
-      for (const ElementBlock* block : written_)
-        if (block->partitions != 0)
-          add("partitions of elements", block->count,
-              fmt::format("{} in partition {}", element(*block),
-                          fmt::join(document_.tag_sets[static_cast<std::size_t>(block->partitions)], " ")));
+    std::int64_t largest = 0;
+    for (const Written& written : written_) {
+      if (written.block->partitions == 0) continue;
+      const auto& tags = document_.tag_sets[static_cast<std::size_t>(written.block->partitions)];
+      if (!holds_.partitions)
+        add("partitions of elements", written.count,
+            fmt::format("{} in partition {}", element(*written.block), fmt::join(tags, " ")));
+      for (const std::int64_t tag : tags) largest = std::max(largest, tag < 0 ? -tag : tag);
+    }
+    if (!holds_.partition_count && document_.partitions != (holds_.partitions ? largest : 0))
+      add("number of partitions", 1, fmt::format("{}", document_.partitions));
     if (holds_.ghosts) return;
     if (!document_.ghosts.empty())
       add("entities of ghost elements", document_.ghosts.size(),
@@ -303,9 +350,9 @@ class Lister {
   // What TetGen's .poly says of the body to mesh.
   void boundary() {
     if (!holds_.boundary)
-      for (const ElementBlock* block : written_)
-        if (block->of_boundary)
-          add("elements as polygons of the boundary to mesh", block->count, element(*block));
+      for (const Written& written : written_)
+        if (written.block->of_boundary)
+          add("elements as polygons of the boundary to mesh", written.count, element(*written.block));
     if (!holds_.facets && !document_.facets.empty())
       add("facets of several polygons or with holes", document_.facets.size(),
           fmt::format("element {}", document_.element_tag(document_.facets[0].first)));
@@ -342,7 +389,9 @@ class Lister {
 
   const Document& document_;
   const Holds& holds_;
-  std::vector<const ElementBlock*> written_;
+  std::vector<Written> written_;  // by kind
+  std::vector<Index> nodes_;      // that come back, if not all do as they are
+  bool some_nodes_ = false;
   std::vector<Loss> losses_;
 };
 

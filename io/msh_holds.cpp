@@ -27,7 +27,7 @@ void ask_msh4(const Document& document, Holds& holds) {
   holds.node_tags = holds.element_tags = true;
   holds.entities = holds.node_entities = true;
   holds.groups = Holds::Groups::all;
-  holds.parameters = holds.ghosts = true;
+  holds.parameters = holds.ghosts = holds.partition_count = true;
   holds.partitions = has_partitions_of_entities(document);
   const EntityPlan plan = plan_entities(document);
   for (std::size_t b = 0; b < document.blocks.size(); ++b) {

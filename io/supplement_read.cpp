@@ -97,10 +97,8 @@ class Decoder {
     for (std::size_t left = count(); left > 0; --left) get(values.emplace_back());
   }
   template <class T>
-    requires std::is_class_v<T>
-  void get(T& part) {
-    fields(part, *this);
-  }
+  requires std::is_class_v<T>
+  void get(T& part) { fields(part, *this); }
 
   std::string_view text_;
   const std::string place_;
@@ -298,7 +296,6 @@ class Joiner {
 
   void sections() {
     std::vector<Section> joined(in_.count());
-    std::size_t next = 0;
     for (Section& section : joined) {
       bool native = false;
       in_(section, native);
@@ -306,8 +303,13 @@ class Joiner {
         in_(section.body);
         continue;
       }
-      if (next == native_.sections.size()) in_.fail("the file has fewer sections than its supplement says");
-      section.body = std::move(native_.sections[next++].body);
+      // The writer has put them before or after the nodes.
+      const auto found = std::find_if(
+          native_.sections.begin(), native_.sections.end(),
+          [&](const Section& s) { return s.name == section.name && s.before_nodes == section.before_nodes; });
+      if (found == native_.sections.end()) in_.fail(fmt::format("the file has no section ${}", section.name));
+      section.body = std::move(found->body);
+      found->name.clear();
     }
     native_.sections = std::move(joined);
   }

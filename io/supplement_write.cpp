@@ -74,10 +74,8 @@ class Encoder {
     for (const T& value : values) put_value(value);
   }
   template <class T>
-    requires std::is_class_v<T>
-  void put_value(const T& part) {
-    fields(part, *this);
-  }
+  requires std::is_class_v<T>
+  void put_value(const T& part) { fields(part, *this); }
 
   std::string text_;
   std::size_t line_ = 0;  // where it starts
@@ -95,7 +93,7 @@ void put_blocks(Encoder& out, const Document& document, const Holds& holds) {
   }
 }
 
-// Whether the native part has all elements, in this order.
+// Whether the native part has all elements, in this order: else the numbers of values would be others.
 bool in_order(const Document& document, const Holds& holds) {
   int last = 0;
   for (const ElementBlock& block : document.blocks) {
@@ -108,10 +106,10 @@ bool in_order(const Document& document, const Holds& holds) {
 }
 
 void put_all_values(Encoder& out, std::string_view name, const std::vector<Values>& all, Of of,
-                    const Holds& holds) {
+                    bool comparable, const Holds& holds) {
   out.field(name, all.size());
   for (const Values& values : all) {
-    const bool native = holds.values(values, of);
+    const bool native = comparable && holds.values(values, of);
     out(values, native);
     if (!native) out(values.reals, values.integers);
   }
@@ -142,9 +140,11 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   out.field("partitions", document.partitions, document.ghosts);
   out.field("ghost_elements", document.ghost_elements);
   if (!holds.periodic) out.field("periodic", document.periodic);
-  put_all_values(out, "node_values", document.node_values, Of::node, holds);
-  put_all_values(out, "element_values", document.element_values, Of::element, holds);
-  put_all_values(out, "element_node_values", document.element_node_values, Of::element_node, holds);
+  const bool same_order = in_order(document, holds);
+  put_all_values(out, "node_values", document.node_values, Of::node, true, holds);
+  put_all_values(out, "element_values", document.element_values, Of::element, same_order, holds);
+  put_all_values(out, "element_node_values", document.element_node_values, Of::element_node, same_order,
+                 holds);
   out.field("facets", document.facets);
   if (!holds.holes) out.field("holes", document.holes);
   if (!holds.regions) out.field("regions", document.regions);

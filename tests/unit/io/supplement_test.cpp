@@ -124,7 +124,7 @@ TEST_P(Supplement, IsIgnoredWhenTheFileWasChanged) {
   std::string bytes = test::TestFiles::read(path);
   const std::size_t supplement = bytes.find("tetproof 1");
   ASSERT_NE(supplement, bytes.npos);
-  bytes.insert(bytes.rfind('\n', supplement - (GetParam().file == "a.node" ? 4 : 22)), " ");
+  bytes.insert(bytes.rfind('\n', supplement - (GetParam().file == "a.node" ? 4 : 22)), 1, ' ');
   files.write(GetParam().file, bytes);
   const Document again = read_document(path);
   ASSERT_EQ(again.warnings.size(), 1u);
