@@ -11,6 +11,7 @@
 #include "io/holds.hpp"
 #include "io/msh_entities.hpp"
 #include "io/weld.hpp"
+#include "io/written_part.hpp"
 
 namespace tetproof {
 namespace {
@@ -19,6 +20,7 @@ using io::ElementType;
 using io::Holds;
 using io::Of;
 using io::Shape;
+using Written = io::WrittenPart::Block;
 
 const char* name_of(int type) {
   if (type == io::polygon) return "polygons";
@@ -52,33 +54,15 @@ bool is_plain(std::int64_t first) {
   return first == 0 || first == 1;
 }
 
-// A block and how many of its elements come back.
-struct Written {
-  const ElementBlock* block;
-  int nodes_each;
-  std::size_t count;
-};
-
 class Lister {
  public:
-  Lister(const Document& document, const Holds& holds) : document_(document), holds_(holds) {
-    for (const ElementBlock& block : document.blocks) {
-      const int each = holds.nodes_each(block);
-      if (each == 0) continue;
-      std::size_t count = block.count;
-      if (!holds.unknown_nodes && !document.unknown.empty())
-        for (std::size_t e = 0; e < block.count; ++e) count -= names_unknown(block, e);
-      if (count > 0) written_.push_back({&block, each, count});
-    }
-    std::stable_sort(written_.begin(), written_.end(), [&](const Written& x, const Written& y) {
-      return holds_.kind(*x.block) < holds_.kind(*y.block);
-    });
-  }
+  Lister(const Document& document, const Holds& holds)
+      : document_(document), holds_(holds), written_(document, holds) {}
 
   std::vector<Loss> list() {
     elements();
     order();
-    find_nodes();
+    nodes();
     node_numbers();
     element_numbers();
     coordinates();
@@ -111,17 +95,6 @@ class Lister {
     return fmt::format("element {}", document_.element_tag(block.first + e));
   }
 
-  const Index* nodes_of(const ElementBlock& block, std::size_t e) const {
-    return document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
-  }
-  bool names_unknown(const ElementBlock& block, std::size_t e) const {
-    const Index* node = nodes_of(block, e);
-    return std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
-  }
-  bool comes_back(const Written& written, std::size_t e) const {
-    return written.count == written.block->count || !names_unknown(*written.block, e);
-  }
-
   // Elements that are not written, or without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
@@ -134,7 +107,7 @@ class Lister {
         unknown_nodes(block);
       }
     }
-    for (const Written& written : written_)
+    for (const Written& written : written_.blocks())
       if (written.nodes_each < written.block->nodes_each)
         add(fmt::format("nodes between the corners of {} of {} nodes (type {})", name_of(written.block->type),
                         written.block->nodes_each, written.block->type),
@@ -143,8 +116,8 @@ class Lister {
 
   void unknown_nodes(const ElementBlock& block) {
     for (std::size_t e = 0; e < block.count; ++e) {
-      if (!names_unknown(block, e)) continue;
-      const Index* node = nodes_of(block, e);
+      if (!written_.names_unknown(block, e)) continue;
+      const Index* node = written_.nodes_of(block, e);
       const Index bad = *std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
       add("elements that name nodes which do not exist", 1,
           fmt::format("{} names node {}", element(block, e), document_.named(bad)));
@@ -153,80 +126,60 @@ class Lister {
 
   // The writer puts them together by kind.
   void order() {
-    for (std::size_t i = 1; i < written_.size(); ++i)
-      if (written_[i].block < written_[i - 1].block)
+    const std::vector<Written>& blocks = written_.blocks();
+    for (std::size_t i = 1; i < blocks.size(); ++i)
+      if (blocks[i].block < blocks[i - 1].block)
         return add("order of elements", 1,
-                   fmt::format("{} comes before those above it", element(*written_[i - 1].block)));
+                   fmt::format("{} comes before those above it", element(*blocks[i - 1].block)));
   }
 
-  // The nodes that come back, in the order in which they do; empty: all as they are.
-  void find_nodes() {
-    if (holds_.which_nodes == Holds::Nodes::all && !holds_.nodes_by_place) return;
-    std::vector<bool> seen(document_.points.size()), of_others(document_.points.size());
-    std::vector<Index> by_elements;
-    for (const Written& written : written_)
-      for (std::size_t e = 0; e < written.block->count; ++e)
-        for (int k = 0; k < written.nodes_each && comes_back(written, e); ++k) {
-          const Index node = nodes_of(*written.block, e)[k];
-          if (node < 0 || seen[static_cast<std::size_t>(node)]) continue;
-          seen[static_cast<std::size_t>(node)] = true;
-          by_elements.push_back(node);
-        }
-    if (holds_.nodes_by_place) {
-      nodes_by_place(by_elements);
-      nodes_ = std::move(by_elements);
-    } else {
-      if (holds_.which_nodes == Holds::Nodes::of_no_other_elements)
-        for (const Index node : document_.connectivity)
-          if (node >= 0) of_others[static_cast<std::size_t>(node)] = true;
-      for (std::size_t i = 0; i < seen.size(); ++i)
-        if (seen[i] || (holds_.which_nodes == Holds::Nodes::of_no_other_elements && !of_others[i]))
-          nodes_.push_back(static_cast<Index>(i));
-    }
-    some_nodes_ = true;
+  void nodes() {
+    if (written_.all_nodes()) return;
     std::vector<bool> kept(document_.points.size());
-    for (const Index node : nodes_) kept[static_cast<std::size_t>(node)] = true;
-    const auto first = std::find(kept.begin(), kept.end(), false) - kept.begin();
-    std::size_t lost = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    for (std::size_t i = 0; i < written_.nodes(); ++i) kept[written_.node(i)] = true;
+    const auto lost = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    const auto first = static_cast<std::size_t>(std::find(kept.begin(), kept.end(), false) - kept.begin());
     if (lost > 0)
-      add("nodes of no element that is written", lost,
-          fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(first))));
+      add("nodes of no element that is written", lost, fmt::format("node {}", document_.node_tag(first)));
+    if (holds_.nodes_by_place) nodes_by_place();
   }
 
-  // One for each place.
-  void nodes_by_place(std::vector<Index>& nodes) {
-    if (!std::is_sorted(nodes.begin(), nodes.end()))
-      add("order of nodes", 1,
-          fmt::format("the first is node {}", document_.node_tag(static_cast<std::size_t>(nodes[0]))));
-    std::vector<Eigen::Vector3d> corners;
-    for (const Index node : nodes) corners.push_back(document_.points[static_cast<std::size_t>(node)]);
-    io::weld(corners);
-    add("nodes at the place of another one", nodes.size() - corners.size(),
-        fmt::format("of {}", nodes.size()));
+  // One for each place, as elements name them.
+  void nodes_by_place() {
+    std::vector<Eigen::Vector3d> places;
+    bool in_order = true;
+    for (std::size_t i = 0; i < written_.nodes(); ++i) {
+      places.push_back(document_.points[written_.node(i)]);
+      in_order = in_order && (i == 0 || written_.node(i - 1) < written_.node(i));
+    }
+    if (!in_order)
+      add("order of nodes", 1, fmt::format("the first is node {}", document_.node_tag(written_.node(0))));
+    const std::size_t all = places.size();
+    io::weld(places);
+    add("nodes at the place of another one", all - places.size(), fmt::format("of {}", all));
   }
-
-  std::size_t nodes() const { return some_nodes_ ? nodes_.size() : document_.points.size(); }
-  std::size_t node(std::size_t i) const { return some_nodes_ ? static_cast<std::size_t>(nodes_[i]) : i; }
 
   // Those that come back count up from 0 or 1, or their numbers are lost.
   void node_numbers() {
-    if (holds_.node_tags || nodes() == 0) return;
-    if (!some_nodes_ && document_.node_tags.empty() && is_plain(document_.first_node)) return;
-    std::int64_t next = document_.node_tag(node(0));
-    bool plain = is_plain(next);
-    for (std::size_t i = 0; i < nodes() && plain; ++i) plain = document_.node_tag(node(i)) == next++;
-    if (!plain) add("numbers of nodes", nodes(), fmt::format("the first is {}", document_.node_tag(node(0))));
+    if (holds_.node_tags || written_.nodes() == 0) return;
+    if (written_.all_nodes() && document_.node_tags.empty() && is_plain(document_.first_node)) return;
+    const std::int64_t first = document_.node_tag(written_.node(0));
+    std::int64_t next = first;
+    bool plain = is_plain(first);
+    for (std::size_t i = 0; i < written_.nodes() && plain; ++i)
+      plain = document_.node_tag(written_.node(i)) == next++;
+    if (!plain) add("numbers of nodes", written_.nodes(), fmt::format("the first is {}", first));
   }
 
   void element_numbers() {
-    if (holds_.element_tags || written_.empty()) return;
+    if (holds_.element_tags || written_.blocks().empty()) return;
     std::int64_t first = 0, next = 0;
     bool plain = true, begun = false;
     std::size_t count = 0;
-    for (const Written& written : written_) {
+    for (const Written& written : written_.blocks()) {
       count += written.count;
       for (std::size_t e = 0; e < written.block->count && (plain || !begun); ++e) {
-        if (!comes_back(written, e)) continue;
+        if (!written_.comes_back(written, e)) continue;
         const std::int64_t tag = document_.element_tag(written.block->first + e);
         if (!begun) first = next = tag, plain = is_plain(tag), begun = true;
         plain = plain && tag == next++;
@@ -239,8 +192,8 @@ class Lister {
     if (!holds_.single) return;
     std::size_t rounded = 0;
     std::string example;
-    for (std::size_t i = 0; i < nodes(); ++i)
-      for (const double x : document_.points[node(i)])
+    for (std::size_t i = 0; i < written_.nodes(); ++i)
+      for (const double x : document_.points[written_.node(i)])
         if (!std::isnan(x) && static_cast<double>(static_cast<float>(x)) != x && rounded++ == 0)
           example = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
     add("coordinates rounded to 32 bits", rounded, example);
@@ -252,7 +205,7 @@ class Lister {
       add("numbers of entities", static_cast<std::size_t>(holds_.changed_entities), holds_.changed_entity);
       return;
     }
-    for (const Written& written : written_)
+    for (const Written& written : written_.blocks())
       if (written.block->entity != 0 && written.block->entity != 1)
         add("entities of elements", written.count,
             fmt::format("{} in entity {}", element(*written.block), written.block->entity));
@@ -282,7 +235,7 @@ class Lister {
   }
 
   void groups() {
-    for (const Written& written : written_) {
+    for (const Written& written : written_.blocks()) {
       const ElementBlock& block = *written.block;
       const auto& tags = document_.tag_sets[static_cast<std::size_t>(block.groups)];
       const std::string first = fmt::format("{} in groups {}", element(block), fmt::join(tags, " "));
@@ -302,7 +255,7 @@ class Lister {
 
   void partitions() {
     std::int64_t largest = 0;
-    for (const Written& written : written_) {
+    for (const Written& written : written_.blocks()) {
       if (written.block->partitions == 0) continue;
       const auto& tags = document_.tag_sets[static_cast<std::size_t>(written.block->partitions)];
       if (!holds_.partitions)
@@ -350,7 +303,7 @@ class Lister {
   // What TetGen's .poly says of the body to mesh.
   void boundary() {
     if (!holds_.boundary)
-      for (const Written& written : written_)
+      for (const Written& written : written_.blocks())
         if (written.block->of_boundary)
           add("elements as polygons of the boundary to mesh", written.count, element(*written.block));
     if (!holds_.facets && !document_.facets.empty())
@@ -389,9 +342,7 @@ class Lister {
 
   const Document& document_;
   const Holds& holds_;
-  std::vector<Written> written_;  // by kind
-  std::vector<Index> nodes_;      // that come back, if not all do as they are
-  bool some_nodes_ = false;
+  const io::WrittenPart written_;
   std::vector<Loss> losses_;
 };
 

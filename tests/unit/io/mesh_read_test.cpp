@@ -257,7 +257,7 @@ const std::vector<Case> cases{
 
     {"Surface",
      {{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}},
-     "off\nn 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nN 2/1 3: \ne 1 2 2/1 g p: 1 2 3\n"},
+     "off\nn 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\ne 1 2 2/0 g p: 0 1 2\n"},
     {"MshByItsContent",
      {{"a.mesh", v41 + nodes41 + tet41}},
      "msh41\n" + n4 + "N 3/1 4: \ne 1 4 3/1 g p: 1 2 3 4\n"},
