@@ -54,25 +54,39 @@ InputFile::InputFile(const std::string& path) : path_(path) {
     if (map != MAP_FAILED) {
       map_ = map;
       bytes_ = {static_cast<const char*>(map), static_cast<std::size_t>(about.st_size)};
+      file_ = file;
+      return;
     }
   }
-  if (!map_) {
-    char buffer[1 << 16];
-    ssize_t got;
-    while ((got = ::read(file, buffer, sizeof buffer)) > 0) copy_.append(buffer, got);
-    if (got < 0) {
-      const int reason = errno;
-      ::close(file);
-      errno = reason;
-      fail("cannot read");
-    }
-    bytes_ = copy_;
-  }
+  char buffer[1 << 16];
+  ssize_t got;
+  while ((got = ::read(file, buffer, sizeof buffer)) > 0) copy_.append(buffer, got);
+  const int reason = errno;
   ::close(file);
+  errno = reason;
+  if (got < 0) fail("cannot read");
+  bytes_ = copy_;
 }
 
 InputFile::~InputFile() {
   if (map_) ::munmap(map_, bytes_.size());
+  if (file_ >= 0) ::close(file_);
+}
+
+void InputFile::copy(std::size_t offset, std::size_t size, char* to) const {
+  if (file_ < 0) {
+    std::memcpy(to, bytes_.data() + offset, size);
+    return;
+  }
+  while (size > 0) {
+    const ssize_t got = ::pread(file_, to, size, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InputError(fmt::format("{}: cannot read: {}", path_, std::strerror(errno)));
+    if (got == 0)
+      throw InputError(
+          fmt::format("{}: byte {}: the file ends here, and was longer when it was opened", path_, offset));
+    offset += static_cast<std::size_t>(got), to += got, size -= static_cast<std::size_t>(got);
+  }
 }
 
 std::int64_t Scanner::line() const {

@@ -18,11 +18,27 @@ class InputFile {
 
   const std::string& path() const { return path_; }
   std::string_view bytes() const { return bytes_; }
+  /// Copies bytes that the file has, as several threads may do at once.
+  void copy(std::size_t offset, std::size_t size, char* to) const;
+  /// Whether `copy` reads from the file, and not from a copy in memory.
+  bool in_file() const { return file_ >= 0; }
 
  private:
   std::string path_, copy_;
   std::string_view bytes_;
   void* map_ = nullptr;
+  int file_ = -1;
+};
+
+/// Bytes of which long runs are wanted. From a file these are better copied piece by piece, into memory that
+/// is used again, than looked at in the map: that costs a fault for every few pages, which take longer than
+/// the copy, and the file's size of resident memory.
+struct Source {
+  Source(std::string_view all) : bytes(all) {}
+  Source(const InputFile& all) : bytes(all.bytes()), file(all.in_file() ? &all : nullptr) {}
+
+  std::string_view bytes;
+  const InputFile* file = nullptr;  ///< null: the bytes are in memory
 };
 
 /// Reads words, numbers and raw bytes from a file's text, counting lines. Blanks are space, tab, CR, LF, VT

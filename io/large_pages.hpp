@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
 namespace tetproof::io {
@@ -25,5 +27,30 @@ void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
   reserve_in_large_pages(items, count);
   items.resize(count);
 }
+
+/// Memory in large pages for a while; the thread keeps it for the next time that it wants so much.
+class Scratch {
+ public:
+  explicit Scratch(std::size_t bytes);
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  char* data() const { return memory_.get(); }
+
+ private:
+  struct Free {
+    void operator()(char* memory) const { std::free(memory); }
+  };
+  using Memory = std::unique_ptr<char, Free>;
+  struct Kept {
+    Memory memory;
+    std::size_t size = 0;
+  };
+  static Kept& kept();
+
+  Memory memory_;
+  std::size_t size_ = 0;
+};
 
 }  // namespace tetproof::io

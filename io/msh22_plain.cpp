@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <span>
 
 #include "io/plain_lines.hpp"
 
@@ -15,7 +13,7 @@ constexpr std::size_t most_tags = 16;
 
 class PieceReader {
  public:
-  PieceReader(const NodeIndex& index, PlainElements22::Piece& piece) : index_(index), piece_(piece) {}
+  PieceReader(const NodeIndex& index, PlainElements22& piece) : index_(index), piece_(piece) {}
 
   bool read(PlainLine& line) {
     std::int64_t tag, number, count;
@@ -24,8 +22,7 @@ class PieceReader {
     for (std::int64_t k = 0; k < count; ++k)
       if (!line.integer(tags_[static_cast<std::size_t>(k)])) return false;
     if (!piece_.runs.empty() && number == number_) {
-      const auto& last = piece_.runs.back().tags;
-      if (!std::equal(last.begin(), last.end(), tags_.begin(), tags_.begin() + count)) start_run(count);
+      if (!has_last_tags(count)) start_run(count);
     } else {
       type_ = number < 0 || number > 1000 ? nullptr : element_type(static_cast<int>(number));
       if (!type_) return false;
@@ -40,63 +37,78 @@ class PieceReader {
       if (place < 0) return false;
       piece_.nodes.push_back(place);
     }
-    if (start >= each &&
-        std::equal(piece_.nodes.begin() + static_cast<std::ptrdiff_t>(start), piece_.nodes.end(),
-                   piece_.nodes.begin() + static_cast<std::ptrdiff_t>(start - each)))
-      return false;
+    if (start >= each && repeats_before(start, each)) return false;
     piece_.tags.push_back(tag);
     ++piece_.runs.back().count;
     return line.end();
   }
 
  private:
+  // Both by hand, since they compare a few numbers.
+  bool has_last_tags(std::int64_t count) const {
+    const std::vector<std::int64_t>& last = piece_.runs.back().tags;
+    if (last.size() != static_cast<std::size_t>(count)) return false;
+    for (std::size_t k = 0; k < last.size(); ++k)
+      if (last[k] != tags_[k]) return false;
+    return true;
+  }
+  bool repeats_before(std::size_t start, std::size_t each) const {
+    const Index* const nodes = piece_.nodes.data() + start;
+    for (std::size_t k = 0; k < each; ++k)
+      if (nodes[k] != (nodes - each)[k]) return false;
+    return true;
+  }
+
   void start_run(std::int64_t tags) {
     piece_.runs.push_back({type_, {tags_.begin(), tags_.begin() + tags}, 0});
   }
 
   const NodeIndex& index_;
-  PlainElements22::Piece& piece_;
+  PlainElements22& piece_;
   std::array<std::int64_t, most_tags> tags_{};
   std::int64_t number_ = -1;
   const ElementType* type_ = nullptr;
 };
 
-// Whether the first element of a piece has the nodes of the last one before it.
-bool repeats(const PlainElements22::Piece& before, const PlainElements22::Piece& piece) {
+// Whether the piece's first element has the nodes of the last one before it.
+bool repeats(const std::vector<Index>& last, const PlainElements22& piece) {
   const auto each = static_cast<std::size_t>(piece.runs.front().type->nodes);
-  return before.nodes.size() >= each &&
-         std::equal(piece.nodes.begin(), piece.nodes.begin() + static_cast<std::ptrdiff_t>(each),
-                    before.nodes.end() - static_cast<std::ptrdiff_t>(each));
+  return last.size() == each && std::equal(last.begin(), last.end(), piece.nodes.begin());
 }
 
 }  // namespace
 
-std::optional<PlainElements22> read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index) {
-  if (in.binary() || count < least_plain_lines) return std::nullopt;
+bool read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index,
+                           const std::function<void(const PlainElements22&)>& take) {
+  if (in.binary() || count < least_plain_lines) return false;
   in.skip_blanks();
-  const std::string_view text = in.text();
-  const auto cut = cut_lines(text, in.offset(), count);
-  if (!cut) return std::nullopt;
-  PlainElements22 read;
-  read.pieces.resize(cut->size());
-  std::atomic<bool> plain = true;
-  tbb::parallel_for(std::size_t{0}, cut->size(), [&](std::size_t p) {
-    PlainLine line(text.data() + (*cut)[p].offset, text.data() + text.size());
-    PlainElements22::Piece& piece = read.pieces[p];
-    PieceReader reader(index, piece);
-    piece.tags.reserve((*cut)[p].count);
-    piece.nodes.reserve(4 * (*cut)[p].count);
-    for (std::size_t i = 0; i < (*cut)[p].count; ++i)
-      if (!plain.load(std::memory_order_relaxed) || !reader.read(line)) {
-        plain = false;
-        return;
-      }
-    if (p + 1 == cut->size()) read.behind = static_cast<std::size_t>(line.place() - text.data());
-  });
-  if (!plain) return std::nullopt;
-  for (std::size_t p = 1; p < read.pieces.size(); ++p)
-    if (repeats(read.pieces[p - 1], read.pieces[p])) return std::nullopt;
-  return read;
+  std::vector<PlainElements22> read;
+  std::vector<Index> last;  // nodes of the last element of the wave before
+  LineReader reader;
+  reader.begin = [&](const std::vector<LinePiece>& wave) {
+    if (read.size() < wave.size()) read.resize(wave.size());
+  };
+  reader.read = [&](const LinePiece& piece) -> const char* {
+    PlainLine line(piece.text.data(), piece.text.data() + piece.text.size());
+    PlainElements22& mine = read[piece.number];
+    mine.clear();
+    PieceReader lines(index, mine);
+    for (std::size_t i = 0; i < piece.count; ++i)
+      if (!lines.read(line)) return nullptr;
+    return line.place();
+  };
+  reader.end = [&](const std::vector<LinePiece>& wave) {
+    for (const LinePiece& piece : wave) {
+      const PlainElements22& mine = read[piece.number];
+      if (repeats(last, mine)) return false;
+      last.assign(mine.nodes.end() - mine.runs.back().type->nodes, mine.nodes.end());
+    }
+    for (const LinePiece& piece : wave) take(read[piece.number]);
+    return true;
+  };
+  const auto behind = read_lines(in.source(), in.offset(), count, reader);
+  if (behind) in.go_to(*behind);
+  return behind.has_value();
 }
 
 }  // namespace tetproof::io

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <vector>
 
 #include "io/element_types.hpp"
@@ -12,6 +12,7 @@
 
 namespace tetproof::io {
 
+/// Some of the elements of a file, one after the other.
 struct PlainElements22 {
   /// Elements one after the other that are alike in type and tags.
   struct Run {
@@ -19,17 +20,17 @@ struct PlainElements22 {
     std::vector<std::int64_t> tags{};
     std::size_t count = 0;
   };
-  struct Piece {
-    std::vector<Run> runs{};
-    std::vector<std::int64_t> tags{};  ///< of the elements
-    std::vector<Index> nodes{};
-  };
-  std::vector<Piece> pieces{};
-  std::size_t behind = 0;  ///< where in the text the last line ends
+  std::vector<Run> runs{};
+  std::vector<std::int64_t> tags{};  ///< of the elements
+  std::vector<Index> nodes{};
+
+  void clear() { runs.clear(), tags.clear(), nodes.clear(); }
 };
 
-/// None where a line is unusual: an unknown type, a node that does not exist, more than a few tags, an
-/// element that repeats the one before it (as those in several groups do).
-std::optional<PlainElements22> read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index);
+/// Gives all elements to `take`, in order, and stops behind them. False where a line is unusual: an unknown
+/// type, a node that does not exist, more than a few tags, an element that repeats the one before it (as
+/// those in several groups do); what was taken must then be given back, and nothing was read.
+bool read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index,
+                           const std::function<void(const PlainElements22&)>& take);
 
 }  // namespace tetproof::io

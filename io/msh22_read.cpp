@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "io/element_types.hpp"
 #include "io/large_pages.hpp"
@@ -26,7 +27,7 @@ class ElementReader {
 
   // A line: tag, type, number of tags, tags, nodes.
   void read_text(std::int64_t count) {
-    if (auto plain = read_plain_elements22(in_, static_cast<std::size_t>(count), index_)) return take(*plain);
+    if (read_plain(static_cast<std::size_t>(count))) return;
     document_.connectivity.reserve(document_.connectivity.size() + 2 * count);
     for (std::int64_t e = 0; e < count; ++e) {
       const std::int64_t tag = in_.integer("the tag of an element");
@@ -111,30 +112,44 @@ class ElementReader {
   }
 
  private:
-  void take(PlainElements22& read) {
-    std::size_t nodes = document_.connectivity.size();
-    for (const auto& piece : read.pieces) nodes += piece.nodes.size();
-    reserve_in_large_pages(document_.connectivity, nodes);
-    for (auto& piece : read.pieces) {
-      const Index* node = piece.nodes.data();
-      const std::int64_t* tag = piece.tags.data();
-      for (const auto& run : piece.runs) {
-        tags_read_ = run.tags;
-        use_element_tags();
-        ElementBlock& block = block_of({.type = run.type->type,
-                                        .dim = run.type->dim,
-                                        .entity = entity_,
-                                        .groups = group_ != 0 ? sets_({group_}) : sets_({}),
-                                        .partitions = partitions_,
-                                        .nodes_each = run.type->nodes});
-        for (std::size_t e = 0; e < run.count; ++e) tags_.add(block.first + block.count++, *tag++);
-        const Index* const end = node + run.count * static_cast<std::size_t>(run.type->nodes);
-        document_.connectivity.insert(document_.connectivity.end(), node, end);
-        node = end;
-      }
-      piece = {};  // what is taken needs no second place
+  bool read_plain(std::size_t count) {
+    const std::size_t first = document_.elements(), nodes = document_.connectivity.size();
+    const std::vector<ElementBlock> blocks = document_.blocks;
+    const auto take_piece = [&](const PlainElements22& piece) { take(piece, first + count); };
+    reserve_in_large_pages(document_.connectivity, nodes + 4 * count);  // most are tetrahedra in most files
+    if (read_plain_elements22(in_, count, index_, take_piece)) return true;
+    document_.blocks = blocks;
+    document_.connectivity.resize(nodes);
+    tags_.cut(first);
+    last_tags_.clear();
+    return false;
+  }
+
+  // `elements`: how many there will be in the end.
+  void take(const PlainElements22& piece, std::size_t elements) {
+    std::vector<Index>& all = document_.connectivity;
+    if (all.size() + piece.nodes.size() > all.capacity()) {
+      const std::size_t left = elements - document_.elements();  // probably as large as these
+      reserve_in_large_pages(all, all.size() + std::max(piece.nodes.size() / piece.tags.size() * left,
+                                                        piece.nodes.size() + all.size() / 4));
     }
-    in_.go_to(read.behind);
+    const Index* node = piece.nodes.data();
+    std::size_t from = 0;
+    for (const auto& run : piece.runs) {
+      tags_read_ = run.tags;
+      use_element_tags();
+      ElementBlock& block = block_of({.type = run.type->type,
+                                      .dim = run.type->dim,
+                                      .entity = entity_,
+                                      .groups = group_ != 0 ? sets_({group_}) : sets_({}),
+                                      .partitions = partitions_,
+                                      .nodes_each = run.type->nodes});
+      tags_.add(block.first + block.count, std::span(piece.tags).subspan(from, run.count));
+      block.count += run.count, from += run.count;
+      const Index* const end = node + run.count * static_cast<std::size_t>(run.type->nodes);
+      all.insert(all.end(), node, end);
+      node = end;
+    }
   }
 
   void set_type(std::int64_t number) {
@@ -268,18 +283,16 @@ bool read_plain_nodes(Numbers& in, std::size_t count, Document& document, Tags& 
   if (in.binary() || count < least_plain_lines) return false;
   in.skip_blanks();
   const std::size_t first = document.points.size();
-  std::vector<std::int64_t> read(count);
   resize_in_large_pages(document.points, first + count);
-  const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
-    Eigen::Vector3d& p = document.points[first + i];
-    return line.integer(read[i]) && line.real(p.x()) && line.real(p.y()) && line.real(p.z());
-  });
-  if (behind) {
-    tags.add(first, read);
+  const auto behind =
+      read_tagged_lines(in.source(), in.offset(), count, tags, first, [&](PlainLine& line, std::size_t i) {
+        Eigen::Vector3d& p = document.points[first + i];
+        return line.real(p.x()) && line.real(p.y()) && line.real(p.z());
+      });
+  if (behind)
     in.go_to(*behind);
-  } else {
+  else
     document.points.resize(first);
-  }
   return behind.has_value();
 }
 

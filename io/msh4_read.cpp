@@ -7,8 +7,8 @@
 
 #include "io/element_types.hpp"
 #include "io/large_pages.hpp"
+#include "io/msh4_plain.hpp"
 #include "io/msh_sections.hpp"
-#include "io/plain_lines.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -66,65 +66,13 @@ void read_entity_of(Numbers& in, bool v40, Block& block) {
   if (v40) block.dim = read_dim(in);
 }
 
-// Long runs of plain lines; false where these are none, and nothing was read.
-bool read_plain_tags(Numbers& in, std::size_t count, std::vector<std::int64_t>& tags) {
-  if (in.binary() || count < least_plain_lines) return false;
-  in.skip_blanks();
-  resize_in_large_pages(tags, count);
-  const auto behind = read_plain_lines(in.text(), in.offset(), count,
-                                       [&](PlainLine& line, std::size_t i) { return line.integer(tags[i]); });
-  if (behind) in.go_to(*behind);
-  return behind.has_value();
-}
-
-bool read_plain_points(Numbers& in, const NodeBlock& block, Document& document) {
-  if (in.binary() || block.count < least_plain_lines) return false;
-  in.skip_blanks();
-  document.points.resize(block.first + block.count);
-  const auto behind =
-      read_plain_lines(in.text(), in.offset(), block.count, [&](PlainLine& line, std::size_t i) {
-        Eigen::Vector3d& p = document.points[block.first + i];
-        bool plain = line.real(p.x()) && line.real(p.y()) && line.real(p.z());
-        double* parameter = document.parameters.data() + block.parameters + i * block.parameters_each;
-        for (int k = 0; k < block.parameters_each && plain; ++k) plain = line.real(parameter[k]);
-        return plain;
-      });
-  if (behind)
-    in.go_to(*behind);
-  else
-    document.points.resize(block.first);
-  return behind.has_value();
-}
-
-bool read_plain_block(Numbers& in, std::size_t count, int each, Index* nodes, const NodeIndex& index,
-                      std::vector<std::int64_t>& tags) {
-  if (in.binary() || count < least_plain_lines) return false;
-  in.skip_blanks();
-  resize_in_large_pages(tags, count);
-  const auto behind = read_plain_lines(in.text(), in.offset(), count, [&](PlainLine& line, std::size_t i) {
-    if (!line.integer(tags[i])) return false;
-    for (Index* node = nodes + i * each; node < nodes + (i + 1) * each; ++node) {
-      std::int64_t tag;
-      if (!line.integer(tag)) return false;
-      *node = index.known(tag);
-      if (*node < 0) return false;
-    }
-    return true;
-  });
-  if (behind) in.go_to(*behind);
-  return behind.has_value();
-}
-
 // Elements of `each` nodes; `document.blocks.back()` is theirs.
 void read_block(Numbers& in, bool v40, std::size_t count, int each, Document& document, NodeIndex& index,
                 Tags& tags) {
   const std::size_t first = document.blocks.back().first;
   const std::size_t start = append(document.connectivity, count * each);
   Index* node = document.connectivity.data() + start;
-  if (std::vector<std::int64_t> read; read_plain_block(in, count, each, node, index, read)) {
-    tags.add(first, read);
-    return;
-  }
+  if (!v40 && read_plain_elements(in, count, each, node, index, tags, first)) return;
   Numbers here = in;  // a copy that the compiler can keep in registers
   for (std::size_t e = 0; e < count; ++e) {
     tags.add(first + e, read_tag(here, v40, "the tag of an element"));
@@ -181,9 +129,7 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
                           before + total - block.first, block.count));
     if (v40) {
       // Each node's tag stands with its coordinates.
-    } else if (std::vector<std::int64_t> read; read_plain_tags(in, block.count, read)) {
-      tags.add(block.first, read);
-    } else {
+    } else if (!read_plain_tags(in, block.count, tags, block.first)) {
       for (std::size_t i = 0; i < block.count; ++i) tags.add(block.first + i, in.size("the tag of a node"));
     }
     block.parameters = append(document.parameters, block.count * block.parameters_each);
@@ -211,6 +157,9 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
   }
   Tags tags(document.element_tags, document.first_element);
   const std::size_t before = document.elements();
+  // Most are tetrahedra in most files; and no more than the bytes can hold.
+  reserve_in_large_pages(document.connectivity,
+                         document.connectivity.size() + std::min<std::size_t>(4 * total, in.remaining() / 2));
   for (std::int64_t b = 0; b < blocks; ++b) {
     ElementBlock block;
     read_entity_of(in, v40, block);

@@ -243,7 +243,7 @@ class Reader {
   }
 
   Numbers numbers_here(bool text = false) const {
-    return {file_.path(), file_.bytes(), in_.offset(), binary_ && !text, swapped_};
+    return {file_, in_.offset(), binary_ && !text, swapped_};
   }
   void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
 

@@ -8,14 +8,21 @@
 #include <cstring>
 
 #include "io/error.hpp"
+#include "io/large_pages.hpp"
 
 namespace tetproof::io {
 
-void Tags::spell_out(std::size_t position, std::int64_t tag) {
-  tags_.reserve(2 * position + 2);
+void Tags::spell_out(std::size_t position) {
   for (std::size_t i = 0; i < position; ++i)
     tags_.push_back(static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + i));
-  tags_.push_back(tag);
+}
+
+std::int64_t* Tags::spelled_out(std::size_t position, std::size_t count) {
+  const std::size_t all = position + count;
+  if (all > tags_.capacity()) reserve_in_large_pages(tags_, std::max(all, 2 * position));
+  if (tags_.empty()) spell_out(position);
+  tags_.resize(all);
+  return tags_.data() + position;
 }
 
 NodeIndex::NodeIndex(Document& document) : document_(document), nodes_(document.points.size()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -21,16 +22,35 @@ class Tags {
       tags_.push_back(tag);
     else if (position == 0)
       first_ = tag;
-    else if (tag != static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + position))
-      spell_out(position, tag);
+    else if (tag != static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + position)) {
+      tags_.reserve(2 * position + 2);
+      spell_out(position);
+      tags_.push_back(tag);
+    }
   }
 
-  void add(std::size_t position, const std::vector<std::int64_t>& tags) {
+  void add(std::size_t position, std::span<const std::int64_t> tags) {
     for (const std::int64_t tag : tags) add(position++, tag);
   }
 
+  /// `count` tags that go up from `tag`; false, and none were added, where that cannot be told so shortly.
+  bool add_run(std::size_t position, std::int64_t tag, std::size_t count) {
+    const bool goes_on = tag == static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + position);
+    if (!tags_.empty() || count == 0 || (position > 0 && !goes_on)) return false;
+    if (position == 0) first_ = tag;
+    return true;
+  }
+
+  /// The place of `count` tags that the caller fills in.
+  std::int64_t* spelled_out(std::size_t position, std::size_t count);
+
+  /// Takes back all but the first `position`.
+  void cut(std::size_t position) {
+    if (!tags_.empty()) tags_.resize(position);
+  }
+
  private:
-  void spell_out(std::size_t position, std::int64_t tag);
+  void spell_out(std::size_t position);
 
   std::vector<std::int64_t>& tags_;
   std::int64_t& first_;
@@ -52,12 +72,29 @@ class NodeIndex {
   }
 
   /// The same for several threads at once; negative where no node has the tag, which is not entered.
-  Index known(std::int64_t tag) const {
-    const std::uint64_t offset = static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(least_);
-    if (consecutive_) return offset < nodes_ ? static_cast<Index>(offset) : -1;
-    if (offset < dense_.size()) return dense_[offset];
-    return table_.empty() ? -1 : table_[slot(tag)];
-  }
+  Index known(std::int64_t tag) const { return Known(*this)(tag); }
+
+  /// The same for long loops, which find what they need of the index in registers.
+  class Known {
+   public:
+    explicit Known(const NodeIndex& index)
+        : index_(index),
+          least_(static_cast<std::uint64_t>(index.least_)),
+          consecutive_(index.consecutive_ ? index.nodes_ : 0) {}
+    Index operator()(std::int64_t tag) const {
+      const std::uint64_t offset = static_cast<std::uint64_t>(tag) - least_;
+      return offset < consecutive_ ? static_cast<Index>(offset) : elsewhere(tag, offset);
+    }
+
+   private:
+    Index elsewhere(std::int64_t tag, std::uint64_t offset) const {
+      if (offset < index_.dense_.size()) return index_.dense_[offset];
+      return index_.table_.empty() ? -1 : index_.table_[index_.slot(tag)];
+    }
+
+    const NodeIndex& index_;
+    const std::uint64_t least_, consecutive_;
+  };
 
  private:
   Index find(std::int64_t tag);

@@ -16,13 +16,21 @@ namespace tetproof::io {
 class Numbers {
  public:
   Numbers(const std::string& path, std::string_view bytes, std::size_t offset, bool binary, bool swapped)
-      : path_(&path), bytes_(bytes), at_(offset), binary_(binary), swapped_(swapped) {}
+      : path_(&path), bytes_(bytes), source_(bytes), at_(offset), binary_(binary), swapped_(swapped) {}
+  Numbers(const InputFile& file, std::size_t offset, bool binary, bool swapped)
+      : path_(&file.path()),
+        bytes_(file.bytes()),
+        source_(file),
+        at_(offset),
+        binary_(binary),
+        swapped_(swapped) {}
 
   std::size_t offset() const { return at_; }
-  std::string_view text() const { return bytes_; }
+  const Source& source() const { return source_; }
   void go_to(std::size_t offset) { at_ = offset; }
   std::size_t remaining() const { return bytes_.size() - at_; }
   bool binary() const { return binary_; }
+  bool swapped() const { return swapped_; }
 
   /// An int: 4 bytes in binary.
   std::int64_t integer(const char* expected) {
@@ -99,6 +107,7 @@ class Numbers {
 
   const std::string* path_;
   std::string_view bytes_;
+  Source source_;
   std::size_t at_;
   bool binary_, swapped_;
 };

@@ -1,44 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/plain_lines.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <atomic>
+
+#include "io/large_pages.hpp"
 
 namespace tetproof::io {
+namespace {
 
-std::optional<std::vector<LinePiece>> cut_lines(std::string_view text, std::size_t offset,
-                                                std::size_t count) {
-  constexpr std::size_t piece_size = std::size_t{1} << 17;
-  // So much of the text at a time that a few long lines do not have all of it counted.
-  const std::size_t wave = std::clamp<std::size_t>(count / 4096, 8, 1024);  // pieces
-  std::vector<LinePiece> pieces;
-  std::size_t found = 0;
-  for (std::size_t start = offset; found < count && start < text.size(); start += wave * piece_size) {
-    // A line begins at the offset and behind every line feed.
-    const std::size_t here = std::min(wave, (text.size() - start + piece_size - 1) / piece_size);
-    std::vector<LinePiece> wave_pieces(here);
-    tbb::parallel_for(std::size_t{0}, here, [&](std::size_t p) {
-      const std::size_t from = start + p * piece_size, to = std::min(from + piece_size, text.size());
-      LinePiece& piece = wave_pieces[p];
-      piece.offset = from;
-      if (from != offset) {
-        const std::size_t feed = text.substr(from - 1, to - from).find('\n');
-        if (feed == std::string_view::npos) return;
-        piece.offset = from + feed;
-      }
-      piece.count =
-          1 + static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(piece.offset),
-                                                  text.begin() + static_cast<std::ptrdiff_t>(to) - 1, '\n'));
-    });
-    for (LinePiece& piece : wave_pieces) {
-      if (piece.count == 0) continue;
-      piece.first = found;
-      piece.count = std::min(piece.count, count - found);
-      found += piece.count;
-      pieces.push_back(piece);
-      if (found == count) return pieces;
-    }
+constexpr std::size_t piece_size = std::size_t{1} << 16;
+
+struct Wave {
+  std::vector<LinePiece> pieces{};
+  std::string_view text;  // what of the source is in memory
+};
+
+// So much of the text that its lines are about those that are wanted, but no more than fits.
+std::size_t wave_size(std::size_t lines, double bytes_each, std::size_t most) {
+  const double wanted = static_cast<double>(lines) * bytes_each;
+  return wanted < static_cast<double>(most)
+             ? std::min(most, (static_cast<std::size_t>(wanted) / piece_size + 1) * piece_size)
+             : most;
+}
+
+// The lines that are all in the text, at most `count`; the last may lack its line feed where `to_end`.
+void cut(Wave& wave, std::size_t first, std::size_t count, bool to_end,
+         const std::function<void(std::size_t, std::size_t)>& load) {
+  const std::string_view text = wave.text;
+  const std::size_t pieces = (text.size() + piece_size - 1) / piece_size;
+  std::vector<std::size_t> feeds(pieces);
+  tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t p) {
+    const std::size_t from = p * piece_size;
+    const std::string_view piece = text.substr(from, piece_size);
+    load(from, piece.size());
+    feeds[p] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n'));
+  });
+  wave.pieces.clear();
+  std::size_t begin = 0;  // of the first line that ends in the piece
+  for (std::size_t p = 0; p < pieces && count > 0; ++p) {
+    std::size_t lines = feeds[p];
+    const std::string_view piece = text.substr(p * piece_size, piece_size);
+    if (p + 1 == pieces && to_end && text.back() != '\n') ++lines;
+    if (lines == 0) continue;
+    lines = std::min(lines, count);
+    wave.pieces.push_back({wave.pieces.size(), first, lines, text.substr(begin)});
+    first += lines, count -= lines;
+    begin = p * piece_size + piece.rfind('\n') + 1;
   }
-  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::size_t> read_lines(const Source& source, std::size_t offset, std::size_t count,
+                                      const LineReader& reader) {
+  const std::string_view all = source.bytes;
+  const std::size_t most = std::clamp<std::size_t>(
+      4 * piece_size * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+      std::size_t{1} << 21, std::size_t{1} << 24);
+  std::optional<Scratch> memory;
+  double bytes_each = 32;
+  Wave wave;
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t size = std::min(wave_size(count - done, bytes_each, most), all.size() - offset);
+    if (size == 0) return std::nullopt;
+    wave.text = all.substr(offset, size);
+    if (source.file) {
+      if (!memory) memory.emplace(most);
+      wave.text = {memory->data(), size};
+    }
+    cut(wave, done, count - done, offset + size == all.size(), [&](std::size_t from, std::size_t bytes) {
+      if (source.file) source.file->copy(offset + from, bytes, memory->data() + from);
+    });
+    if (wave.pieces.empty()) {
+      if (size == most || offset + size == all.size()) return std::nullopt;  // a line as long as that
+      bytes_each *= 8;
+      continue;
+    }
+    reader.begin(wave.pieces);
+    std::atomic<bool> plain = true;
+    const char* behind = nullptr;
+    tbb::parallel_for(std::size_t{0}, wave.pieces.size(), [&](std::size_t p) {
+      if (!plain.load(std::memory_order_relaxed)) return;
+      const char* const end = reader.read(wave.pieces[p]);
+      if (!end) plain = false;
+      if (p + 1 == wave.pieces.size()) behind = end;
+    });
+    if (!plain || !reader.end(wave.pieces)) return std::nullopt;
+    const auto used = static_cast<std::size_t>(behind - wave.text.data());
+    const std::size_t lines = wave.pieces.back().first + wave.pieces.back().count - done;
+    bytes_each = 1.02 * static_cast<double>(used) / static_cast<double>(lines);
+    offset += used, done += lines;
+  }
+  return offset;
 }
 
 }  // namespace tetproof::io

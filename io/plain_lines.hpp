@@ -3,14 +3,14 @@
 // readers that take one word after the other, which know what to say of it.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
-#include <atomic>
 #include <charconv>
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
+
+#include "io/input_file.hpp"
+#include "io/node_index.hpp"
 
 namespace tetproof::io {
 
@@ -67,35 +67,68 @@ class PlainLine {
 
 /// Whole lines of a text.
 struct LinePiece {
+  std::size_t number = 0;            ///< of its wave
   std::size_t first = 0, count = 0;  ///< lines
-  std::size_t offset = 0;            ///< where the first begins
+  std::string_view text;             ///< begins with the first of them, and has all of them
 };
 
-/// The `count` lines from `offset` on, in pieces that do not depend on the number of threads; none if the
-/// text has fewer.
-std::optional<std::vector<LinePiece>> cut_lines(std::string_view text, std::size_t offset, std::size_t count);
+/// What reading lines wave by wave calls. A wave is as much of the text as is in memory at once.
+struct LineReader {
+  /// The lines of a wave, not empty, before any of them is read.
+  std::function<void(const std::vector<LinePiece>&)> begin = [](const auto&) {};
+  /// From several threads: where the last line ends, or null where one was not plain.
+  std::function<const char*(const LinePiece&)> read;
+  /// After all of the wave was read, and was plain; false where its lines do not fit together after all.
+  std::function<bool(const std::vector<LinePiece>&)> end = [](const auto&) { return true; };
+};
+
+/// Reads the `count` lines from `offset` on: the offset behind the last one, or none if the text has fewer or
+/// any was not plain.
+std::optional<std::size_t> read_lines(const Source& text, std::size_t offset, std::size_t count,
+                                      const LineReader& reader);
 
 /// Calls `read(PlainLine&, i)` for line i of `count`, from several threads; it answers false for a line that
 /// is not plain. The offset behind the last line, or none if any was not plain.
 template <class Read>
-std::optional<std::size_t> read_plain_lines(std::string_view text, std::size_t offset, std::size_t count,
+std::optional<std::size_t> read_plain_lines(const Source& text, std::size_t offset, std::size_t count,
                                             const Read& read) {
   if (count < least_plain_lines) return std::nullopt;
-  const auto pieces = cut_lines(text, offset, count);
-  if (!pieces) return std::nullopt;
-  std::atomic<bool> plain = true;
-  std::size_t behind = 0;
-  tbb::parallel_for(std::size_t{0}, pieces->size(), [&](std::size_t p) {
-    const LinePiece& piece = (*pieces)[p];
-    PlainLine line(text.data() + piece.offset, text.data() + text.size());
+  LineReader reader;
+  reader.read = [&](const LinePiece& piece) -> const char* {
+    PlainLine line(piece.text.data(), piece.text.data() + piece.text.size());
     for (std::size_t i = piece.first; i < piece.first + piece.count; ++i)
-      if (!plain.load(std::memory_order_relaxed) || !read(line, i) || !line.end()) {
-        plain = false;
-        return;
-      }
-    if (p + 1 == pieces->size()) behind = static_cast<std::size_t>(line.place() - text.data());
-  });
-  return plain ? std::optional(behind) : std::nullopt;
+      if (!read(line, i) || !line.end()) return nullptr;
+    return line.place();
+  };
+  return read_lines(text, offset, count, reader);
+}
+
+/// The same for lines that begin with a tag, which is added to `tags` as the one at `position` + i. None are
+/// added if any line was not plain.
+template <class Read>
+std::optional<std::size_t> read_tagged_lines(const Source& text, std::size_t offset, std::size_t count,
+                                             Tags& tags, std::size_t position, const Read& read) {
+  if (count < least_plain_lines) return std::nullopt;
+  std::vector<std::int64_t> of_wave;
+  std::size_t first = 0;
+  LineReader reader;
+  reader.begin = [&](const std::vector<LinePiece>& wave) {
+    first = wave.front().first;
+    of_wave.resize(wave.back().first + wave.back().count - first);
+  };
+  reader.read = [&](const LinePiece& piece) -> const char* {
+    PlainLine line(piece.text.data(), piece.text.data() + piece.text.size());
+    for (std::size_t i = piece.first; i < piece.first + piece.count; ++i)
+      if (!line.integer(of_wave[i - first]) || !read(line, i) || !line.end()) return nullptr;
+    return line.place();
+  };
+  reader.end = [&](const std::vector<LinePiece>&) {
+    tags.add(position + first, of_wave);
+    return true;
+  };
+  const auto behind = read_lines(text, offset, count, reader);
+  if (!behind) tags.cut(position);
+  return behind;
 }
 
 }  // namespace tetproof::io

@@ -172,7 +172,7 @@ bool read_plain_nodes(const InputFile& file, std::size_t offset, bool marked, Do
       !line.integer(first) || first < 0 || first > 1)
     return false;
   document.first_node = first;
-  return read_plain_lines(file.bytes(), offset, count,
+  return read_plain_lines(file, offset, count,
                           [&](PlainLine& line, std::size_t i) {
                             std::int64_t number;
                             Eigen::Vector3d& p = document.points[i];
@@ -232,10 +232,7 @@ bool read_plain_elements(const InputFile& file, std::size_t offset, std::int64_t
                          const NodeIndex& index, Index* nodes, Values& values, Tags& tags) {
   if (count < least_plain_lines) return false;
   const auto attributes_each = static_cast<std::size_t>(values.components);
-  std::vector<std::int64_t> numbers;
-  resize_in_large_pages(numbers, count);
-  const auto behind = read_plain_lines(file.bytes(), offset, count, [&](PlainLine& line, std::size_t i) {
-    if (!line.integer(numbers[i])) return false;
+  const auto behind = read_tagged_lines(file, offset, count, tags, 0, [&](PlainLine& line, std::size_t i) {
     Index* const mine = nodes + static_cast<std::int64_t>(i) * each;
     for (std::int64_t k = 0; k < each; ++k) {
       std::int64_t node;
@@ -248,7 +245,6 @@ bool read_plain_elements(const InputFile& file, std::size_t offset, std::int64_t
       if (!line.real(values.reals[i * attributes_each + k])) return false;
     return true;
   });
-  if (behind) tags.add(0, numbers);
   return behind.has_value();
 }
 

@@ -2,17 +2,12 @@
 // Numbers as text, and long lists of lines formatted by all threads and written in order.
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <functional>
 
 #include "io/atomic_file.hpp"
 
@@ -41,38 +36,23 @@ inline char* put(char* to, char c) {
   return to + 1;
 }
 
+/// Writes chunks 0 .. chunks-1 in order: all threads format, one of them writes meanwhile. `format(c, to)`
+/// puts chunk c at `to`, at most `longest` bytes, and returns its end.
+void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
+                  const std::function<char*(std::size_t, char*)>& format);
+
 /// Writes items 0 .. count-1 in order; `format(i, to)` puts item i at `to`, at most `longest` bytes, and
 /// returns its end. The bytes do not depend on the number of threads.
 template <class FormatItem>
 void write_items(AtomicFile& file, std::size_t count, std::size_t longest, const FormatItem& format) {
-  constexpr std::size_t chunk_bytes = 1 << 18;
+  constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
   const std::size_t chunk = std::max<std::size_t>(1, chunk_bytes / longest);
-  if (count <= chunk) {  // the many short lists of some files are not worth a thread
-    std::string bytes(count * longest, '\0');
-    char* at = bytes.data();
-    for (std::size_t i = 0; i < count; ++i) at = format(i, at);
-    file.write({bytes.data(), static_cast<std::size_t>(at - bytes.data())});
-    return;
-  }
-  const std::size_t batch =
-      4 * static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
-  struct Buffer {
-    std::string bytes;
-    std::size_t used = 0;
-  };
-  std::vector<Buffer> buffers(std::min(batch, count / chunk + 1));
-  for (std::size_t start = 0; start < count; start += chunk * buffers.size()) {
-    const std::size_t chunks = std::min(buffers.size(), (count - start + chunk - 1) / chunk);
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
-      Buffer& buffer = buffers[c];
-      const std::size_t from = start + c * chunk, to = std::min(count, from + chunk);
-      buffer.bytes.resize(std::max(buffer.bytes.size(), (to - from) * longest));
-      char* at = buffer.bytes.data();
-      for (std::size_t i = from; i < to; ++i) at = format(i, at);
-      buffer.used = at - buffer.bytes.data();
-    });
-    for (std::size_t c = 0; c < chunks; ++c) file.write({buffers[c].bytes.data(), buffers[c].used});
-  }
+  write_chunks(file, (count + chunk - 1) / chunk, std::min(chunk, count) * longest,
+               [&](std::size_t c, char* to) {
+                 for (std::size_t i = c * chunk, end = std::min(count, i + chunk); i < end; ++i)
+                   to = format(i, to);
+                 return to;
+               });
 }
 
 }  // namespace tetproof::io

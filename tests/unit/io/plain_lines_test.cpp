@@ -15,31 +15,71 @@
 namespace tetproof::test {
 namespace {
 
-TEST(CutLines, EveryLineIsInOnePiece) {
+// The text of each line, as pieces had it, or nothing where reading gave up.
+std::optional<std::vector<std::string>> lines_read(const Source& source, std::size_t offset,
+                                                   std::size_t count, std::size_t& behind) {
+  std::vector<std::string> lines(count);
+  std::size_t waves = 0, next = 0;
+  io::LineReader reader;
+  reader.begin = [&](const std::vector<io::LinePiece>& wave) {
+    ++waves;
+    for (std::size_t p = 0; p < wave.size(); ++p) {
+      EXPECT_EQ(wave[p].number, p);
+      EXPECT_EQ(wave[p].first, next);
+      EXPECT_GT(wave[p].count, 0u);
+      next += wave[p].count;
+    }
+  };
+  reader.read = [&](const io::LinePiece& piece) {
+    std::size_t at = 0;
+    for (std::size_t i = piece.first; i < piece.first + piece.count; ++i) {
+      const std::size_t feed = std::min(piece.text.find('\n', at), piece.text.size());
+      lines[i] = piece.text.substr(at, feed - at);
+      at = std::min(feed + 1, piece.text.size());
+    }
+    return piece.text.data() + at;
+  };
+  const auto end = io::read_lines(source, offset, count, reader);
+  if (!end) return std::nullopt;
+  EXPECT_EQ(next, count);
+  behind = *end;
+  return lines;
+}
+
+TEST(ReadLines, EveryLineIsInOnePieceFromMemoryAndFromAFile) {
   std::mt19937_64 random(5);
   std::string text = "header\n";
-  std::vector<std::size_t> begins;
-  for (int i = 0; i < 30000; ++i) {
-    begins.push_back(text.size());
-    text += std::string(i == 12345 ? 400000 : random() % 30, 'x') + (random() % 9 ? "\n" : "\r\n");
+  std::vector<std::string> lines;
+  std::vector<std::size_t> ends;
+  for (int i = 0; i < 300000; ++i) {
+    const std::size_t length = i == 12345 ? 400000 : i > 250000 ? random() % 90 : random() % 30;
+    lines.push_back(std::string(length, static_cast<char>('a' + i % 26)) + (random() % 9 ? "" : "\r"));
+    text += lines.back() + "\n";
+    ends.push_back(text.size());
   }
-  for (const std::size_t count : {std::size_t{1}, std::size_t{11000}, begins.size()}) {
-    const auto pieces = io::cut_lines(text, 7, count);
-    ASSERT_TRUE(pieces) << count;
-    std::size_t next = 0;
-    for (const io::LinePiece& piece : *pieces) {
-      ASSERT_EQ(piece.first, next);
-      ASSERT_EQ(piece.offset, begins[next]);
-      ASSERT_GT(piece.count, 0u);
-      next += piece.count;
+  const TestFiles files;
+  for (const bool last_feed : {true, false}) {
+    if (!last_feed) text.pop_back(), --ends.back();
+    const InputFile file(files.write("lines", text));
+    for (const Source& source : {Source(text), Source(file)}) {
+      for (const std::size_t count : {std::size_t{1}, std::size_t{11000}, lines.size()}) {
+        std::size_t behind = 0;
+        const auto read = lines_read(source, 7, count, behind);
+        ASSERT_TRUE(read) << count;
+        EXPECT_EQ(std::equal(read->begin(), read->end(), lines.begin()), true) << count;
+        EXPECT_EQ(behind, ends[count - 1]);
+      }
+      std::size_t behind = 0;
+      EXPECT_FALSE(lines_read(source, 7, lines.size() + 1, behind));
+      EXPECT_FALSE(lines_read(source, text.size(), 1, behind));
     }
-    EXPECT_EQ(next, count);
   }
-  EXPECT_GT(io::cut_lines(text, 7, begins.size())->size(), 4u);
-  EXPECT_FALSE(io::cut_lines(text, 7, begins.size() + 1));
-  text.pop_back();  // the last line may lack its end
-  EXPECT_TRUE(io::cut_lines(text, 7, begins.size()));
-  EXPECT_FALSE(io::cut_lines(text, text.size(), 1));
+}
+
+TEST(ReadLines, ALineAsLongAsMemoryIsGivenUp) {
+  const std::string text(40'000'000, 'x');
+  std::size_t behind = 0;
+  EXPECT_FALSE(lines_read(std::string_view(text), 0, 2, behind));
 }
 
 using Lines = std::vector<std::string>;
