@@ -4,7 +4,18 @@
 
 namespace tetproof::io {
 
-enum class Shape { point, line, triangle, quadrangle, tetrahedron, hexahedron, prism, pyramid, polygon, other };
+enum class Shape {
+  point,
+  line,
+  triangle,
+  quadrangle,
+  tetrahedron,
+  hexahedron,
+  prism,
+  pyramid,
+  polygon,
+  other
+};
 
 struct ElementType {
   int type;  ///< Gmsh's number
@@ -21,5 +32,11 @@ inline constexpr int point1 = 15, line2 = 1, line3 = 8, triangle3 = 2, quadrangl
                      triangle6 = 9, tetrahedron10 = 11;
 /// A polygon of any number of nodes; `element_type` does not know it, since a block says how many.
 inline constexpr int polygon = 34;
+/// Others whose number of nodes varies.
+inline constexpr int polyhedron = 35, polygon_border = 69;
+/// Whether .msh 2 tells the number of nodes in front of them.
+inline constexpr bool has_counted_nodes(int type) {
+  return type == polygon || type == polyhedron || type == polygon_border;
+}
 
 }  // namespace tetproof::io

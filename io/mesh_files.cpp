@@ -77,6 +77,10 @@ void write_msh(const std::string& path, const Document& document, bool binary,
   file.commit();
 }
 
+void write_msh40_text(AtomicFile& file, const Document& document, bool) {
+  io::write_msh40(file, document);
+}
+
 Document read_surface_file(const std::string& path) {
   return io::read_surface_document(InputFile(path), io::Wanted::document).document;
 }
@@ -98,6 +102,12 @@ const std::vector<Codec>& codecs() {
        write_msh<io::write_msh41>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh41", binary);
+       }},
+      {{.name = "msh40", .what = "Gmsh .msh 4.0", .endings = {".msh"}, .reads = true, .binary = false},
+       read_msh,
+       write_msh<write_msh40_text>,
+       [](const std::string&, const Document& document, bool binary) {
+         return io::msh_holds(document, "msh40", binary);
        }},
       {{.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
        read_msh,

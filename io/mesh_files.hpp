@@ -21,7 +21,7 @@ struct Format {
   bool usually_binary = false;       ///< which of them it is unless one is asked for
 };
 
-/// All formats: msh41, msh22, tetgen, vtu, stl, off, obj, ply.
+/// All formats: msh41, msh40, msh22, tetgen, vtu, stl, off, obj, ply.
 const std::vector<Format>& formats();
 /// The format that `path`'s ending stands for when it is written. InputError naming the known endings.
 const Format& format_of(const std::string& path);

@@ -8,6 +8,7 @@
 
 #include "io/element_types.hpp"
 #include "io/large_pages.hpp"
+#include "io/msh22_limits.hpp"
 #include "io/msh22_plain.hpp"
 #include "io/msh_sections.hpp"
 #include "io/plain_lines.hpp"
@@ -17,15 +18,17 @@ namespace {
 
 class ElementReader {
  public:
-  ElementReader(Numbers& in, ElementTags kind, Document& document, NodeIndex& index, TagSets& sets)
+  ElementReader(Numbers& in, ElementTags kind, Document& document, NodeIndex& index, TagSets& sets,
+                std::vector<ElementTag>& copies)
       : in_(in),
         kind_(kind),
         document_(document),
         index_(index),
         sets_(sets),
-        tags_(document.element_tags, document.first_element) {}
+        tags_(document.element_tags, document.first_element),
+        copies_(copies) {}
 
-  // A line: tag, type, number of tags, tags, nodes.
+  // A line: tag, type, number of tags, tags, nodes; for polygons and polyhedra their number before them.
   void read_text(std::int64_t count) {
     if (read_plain(static_cast<std::size_t>(count))) return;
     document_.connectivity.reserve(document_.connectivity.size() + 2 * count);
@@ -35,7 +38,9 @@ class ElementReader {
       const std::int64_t tags = in_.integer("the number of tags");
       in_.check_count(tags, "the number of tags", 2);
       read_element_tags(tags);
-      const int each = type_ ? type_->nodes : in_.words_in_line();
+      const std::int64_t each = type_                                          ? type_->nodes
+                                : has_counted_nodes(static_cast<int>(number_)) ? read_node_count()
+                                                                               : in_.words_in_line();
       if (each == 0) in_.fail(fmt::format("expected the nodes of an element of type {}", number_));
       read_nodes(each);
       add(tag);
@@ -198,10 +203,12 @@ class ElementReader {
   }
 
   // An element in several physical groups stands once for each of them: the last one again, but for its group
-  // and its tag. So an element waits until the next one has been read.
+  // and its tag. So an element waits until the next one has been read. One with another number of tags is no
+  // such copy: our writer has no other way to tell the two apart.
   void add(std::int64_t tag) {
     if (repeats_waiting()) {
       waiting_.groups.push_back(group_);
+      copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where the first one will be
       return;
     }
     put_waiting();
@@ -209,6 +216,7 @@ class ElementReader {
                 .tag = tag,
                 .number = number_,
                 .type = type_,
+                .tags = tags_read_.size(),
                 .entity = entity_,
                 .partitions = partitions_,
                 .groups = std::move(waiting_.groups),
@@ -219,10 +227,10 @@ class ElementReader {
   }
 
   bool repeats_waiting() const {
-    constexpr std::size_t most_groups = 1000;  // beyond which looking through them would take too long
     return waiting_.any && waiting_.number == number_ && waiting_.entity == entity_ &&
-           waiting_.partitions == partitions_ && waiting_.nodes == nodes_ && group_ != 0 &&
-           !waiting_.groups.empty() && waiting_.groups.size() < most_groups &&
+           waiting_.tags == tags_read_.size() && waiting_.partitions == partitions_ &&
+           waiting_.nodes == nodes_ && group_ != 0 && !waiting_.groups.empty() &&
+           waiting_.groups.size() < most_groups22 &&
            std::find(waiting_.groups.begin(), waiting_.groups.end(), group_) == waiting_.groups.end();
   }
 
@@ -256,6 +264,7 @@ class ElementReader {
     bool any = false;
     std::int64_t tag = 0, number = 0;
     const ElementType* type = nullptr;
+    std::size_t tags = 0;
     std::int64_t entity = 0;
     std::int32_t partitions = 0;
     std::vector<std::int64_t> groups{};
@@ -268,6 +277,7 @@ class ElementReader {
   NodeIndex& index_;
   TagSets& sets_;
   Tags tags_;
+  std::vector<ElementTag>& copies_;
   std::int64_t number_ = -1;
   const ElementType* type_ = nullptr;
   std::vector<std::int64_t> tags_read_, last_tags_;
@@ -327,8 +337,8 @@ void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& do
 }
 
 void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
-                     TagSets& sets) {
-  ElementReader reader(in, tags, document, index, sets);
+                     TagSets& sets, std::vector<ElementTag>& copies) {
+  ElementReader reader(in, tags, document, index, sets, copies);
   if (tags == ElementTags::v3)
     reader.read_3(count);
   else if (tags == ElementTags::v1)

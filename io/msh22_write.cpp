@@ -2,6 +2,7 @@
 // Writes .msh 2.2.
 #include <algorithm>
 
+#include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/msh.hpp"
 #include "io/msh22_limits.hpp"
@@ -15,33 +16,31 @@ template <bool Binary>
 class Writer {
  public:
   Writer(AtomicFile& file, const Document& document)
-      : file_(file), document_(document), limits_(msh22_limits(document, Binary)) {
+      : file_(file),
+        document_(document),
+        holds_(msh_holds(document, "msh22", Binary)),
+        limits_(msh22_limits(document, Binary)),
+        tags_{&document, limits_.renumber_nodes, limits_.renumber_elements,
+              document.elements() + limits_.copies} {
     for (const ElementBlock& block : document.blocks)
-      if (msh_holds(document, block, "msh22", Binary)) {
+      if (holds_.nodes_each(block) > 0 && block.count > 0) {
         blocks_.push_back(&block);
-        elements_ += block.count;
+        elements_ += block.count * groups22(document, block).size();
       }
   }
 
   void write() {
     file_.write(msh_header("2.2", Binary));
-    file_.write(msh_kept_sections(document_, "msh22", Binary, true));
+    file_.write(msh_kept_sections(document_, holds_, true));
     file_.write(msh_names(document_));
     limits_.parametric ? parametric_nodes() : nodes();
     elements();
-    file_.write(msh_kept_sections(document_, "msh22", Binary, false));
+    file_.write(msh_kept_sections(document_, holds_, false));
+    write_msh_data(file_, tags_, holds_, "msh22", Binary);
   }
 
  private:
   void end(const char* section) { file_.write(fmt::format("{}$End{}\n", Binary ? "\n" : "", section)); }
-
-  std::int64_t node_tag(std::size_t i) const {
-    return limits_.renumber_nodes ? static_cast<std::int64_t>(i) + 1 : document_.node_tag(i);
-  }
-  std::int64_t named(Index i) const {
-    if (!limits_.renumber_nodes) return document_.named(i);
-    return i < 0 ? static_cast<std::int64_t>(document_.points.size()) - i : node_tag(i);
-  }
 
   void nodes() {
     file_.write(fmt::format("$Nodes\n{}\n", document_.points.size()));
@@ -72,49 +71,83 @@ class Writer {
   }
 
   void put_node(Putter<Binary>& out, std::size_t i) const {
-    out.integer(node_tag(i));
+    out.integer(tags_.node(static_cast<Index>(i)));
     for (double x : document_.points[i]) out.real(x);
   }
 
   void elements() {
     file_.write(fmt::format("$Elements\n{}\n", elements_));
-    for (const ElementBlock* block : blocks_) {
-      const std::vector<std::int64_t> tags = tags_of(*block);
+    std::int64_t copy = limits_.first_copy;
+    bool marked = false;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const ElementBlock& block = *blocks_[b];
+      marked = b > 0 && !marked && looks_like_a_copy(*blocks_[b - 1], block);
+      const std::vector<std::int64_t> groups = groups22(document_, block);
+      std::vector<std::string> middles;  // what stands between an element's tag and its nodes, for each group
+      std::size_t longest = 0;
+      for (const std::int64_t group : groups) {
+        middles.push_back(middle(block, tags_of(block, group, marked)));
+        longest = std::max(longest, middles.back().size());
+      }
       if (Binary)
         file_.write(line<Binary>(3, [&](auto& out) {
-          out.integer(block->type), out.integer(block->count), out.integer(tags.size());
+          out.integer(block.type), out.integer(block.count * groups.size());
+          out.integer(tags_of(block, 0, marked).size());
         }));
-      const std::string middle = line<Binary>(2 + tags.size(), [&](auto& out) {
-        if (!Binary) out.integer(block->type), out.integer(tags.size());
-        for (std::int64_t tag : tags) out.integer(tag);
-      });
-      const int each = block->nodes_each;
-      const std::size_t longest = (1 + each) * Putter<Binary>::longest + middle.size() + 1;
-      write_items(file_, block->count, longest, [&](std::size_t i, char* to) {
+      const int each = block.nodes_each;
+      const bool counted = has_counted_nodes(block.type);
+      longest += static_cast<std::size_t>(2 + each) * Putter<Binary>::longest;
+      write_items(file_, block.count * groups.size(), longest, [&](std::size_t i, char* to) {
         Putter<Binary> out{to};
-        const std::size_t element = block->first + i;
-        out.integer(limits_.renumber_elements ? static_cast<std::int64_t>(element) + 1
-                                              : document_.element_tag(element));
-        out.to = std::copy(middle.begin(), middle.end(), out.to);
+        const std::size_t e = i / groups.size(), k = i % groups.size();
+        out.integer(k == 0 ? tags_.element_at(block.first + e)
+                           : copy + static_cast<std::int64_t>(e * (groups.size() - 1) + k - 1));
+        out.to = std::copy(middles[k].begin(), middles[k].end(), out.to);
         if (!Binary) out.to[-1] = ' ';  // its line goes on
-        const Index* node = document_.connectivity.data() + block->nodes + i * each;
-        for (int k = 0; k < each; ++k) out.integer(named(node[k]));
+        if (counted) out.integer(each);
+        const Index* node = document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(each);
+        for (int n = 0; n < each; ++n) out.integer(tags_.node(node[n]));
         out.end_line();
         return out.to;
       });
+      copy += static_cast<std::int64_t>(block.count * (groups.size() - 1));
     }
     end("Elements");
   }
 
+  std::string middle(const ElementBlock& block, const std::vector<std::int64_t>& tags) const {
+    return line<Binary>(2 + tags.size(), [&](auto& out) {
+      if (!Binary) out.integer(block.type), out.integer(static_cast<std::int64_t>(tags.size()));
+      for (std::int64_t tag : tags) out.integer(tag);
+    });
+  }
+
+  // Whether a reader would take the first element of `next` for the last one of `block` in a further group. A
+  // third or last tag, a 0 that says nothing, then tells that it is another element.
+  bool looks_like_a_copy(const ElementBlock& block, const ElementBlock& next) const {
+    const std::vector<std::int64_t> groups = groups22(document_, block);
+    const std::int64_t group = groups22(document_, next)[0];
+    if (block.type != next.type || block.nodes_each != next.nodes_each ||
+        entity_of(block) != entity_of(next) || block.partitions != next.partitions || groups[0] == 0 ||
+        group == 0 || std::find(groups.begin(), groups.end(), group) != groups.end())
+      return false;
+    const auto each = static_cast<std::size_t>(block.nodes_each);
+    const Index* nodes = document_.connectivity.data();
+    return std::equal(nodes + next.nodes, nodes + next.nodes + each,
+                      nodes + block.nodes + (block.count - 1) * each);
+  }
+
+  static std::int64_t entity_of(const ElementBlock& block) { return block.entity == 0 ? 1 : block.entity; }
+
   // Physical, elementary, and if there are any the number of partitions and they themselves.
-  std::vector<std::int64_t> tags_of(const ElementBlock& block) const {
-    const auto& groups = document_.tag_sets[block.groups];
+  std::vector<std::int64_t> tags_of(const ElementBlock& block, std::int64_t group, bool marked) const {
     const auto& partitions = document_.tag_sets[block.partitions];
-    std::vector<std::int64_t> tags{groups.empty() ? 0 : groups[0], block.entity == 0 ? 1 : block.entity};
+    std::vector<std::int64_t> tags{group, entity_of(block)};
     if (!partitions.empty()) {
       tags.push_back(static_cast<std::int64_t>(partitions.size()));
       tags.insert(tags.end(), partitions.begin(), partitions.end());
     }
+    if (marked) tags.push_back(0);
     for (std::int64_t tag : tags)
       if (Binary && (tag > largest_int || tag < -largest_int - 1))
         throw InputError(fmt::format(
@@ -125,35 +158,14 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
+  const Holds holds_;
   const Msh22Limits limits_;
+  const MshTags tags_;
   std::vector<const ElementBlock*> blocks_;  // those that are written
   std::size_t elements_ = 0;
 };
 
 }  // namespace
-
-Msh22Limits msh22_limits(const Document& document, bool binary) {
-  Msh22Limits limits;
-  const auto fits = [](const std::pair<std::int64_t, std::int64_t>& range) {
-    return range.first >= -largest_int - 1 && range.second <= largest_int;
-  };
-  if (binary) {
-    const auto unknown =
-        range_of(document.unknown.size(), [&](std::size_t k) { return document.unknown[k]; });
-    limits.renumber_nodes =
-        !fits(unknown) ||
-        !fits(range_of(document.points.size(), [&](std::size_t i) { return document.node_tag(i); }));
-    limits.renumber_elements =
-        !fits(range_of(document.elements(), [&](std::size_t i) { return document.element_tag(i); }));
-  }
-  bool all = true, any = false;
-  for (const NodeBlock& block : document.node_blocks) {
-    any = any || (block.parameters_each > 0 && block.dim < 3);
-    all = all && (block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim);
-  }
-  limits.parametric = any && all;
-  return limits;
-}
 
 void write_msh22(AtomicFile& file, const Document& document, bool binary) {
   binary ? Writer<true>(file, document).write() : Writer<false>(file, document).write();

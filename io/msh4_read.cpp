@@ -195,6 +195,11 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
       block.count = 1;
       document.blocks.push_back(block);
       read_block(in, v40, 1, block.nodes_each, document, index, tags);
+      if (e == 0) continue;
+      ElementBlock& last = document.blocks[document.blocks.size() - 2];
+      if (last.nodes_each != block.nodes_each) continue;
+      ++last.count;
+      document.blocks.pop_back();
     }
   }
   if (document.elements() != before + total)

@@ -28,7 +28,7 @@ class Planner {
   explicit Planner(const Document& document) : document_(document) {
     for (const Entity& entity : document.entities) {
       plan_.entities.push_back(entity);
-      known_.try_emplace({entity.dim, entity.tag}, entity.groups);
+      known_.try_emplace({entity.dim, entity.tag}, Belongs{entity.groups, entity.partitions});
       largest_[entity.dim] = std::max(largest_[entity.dim], entity.tag);
     }
     for (const ElementBlock& block : document.blocks)
@@ -40,16 +40,12 @@ class Planner {
   EntityPlan plan() {
     for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
       const ElementBlock& block = document_.blocks[b];
-      const std::int64_t tag = tag_for(block.dim, block.entity, block.groups);
+      const std::int32_t partitions = are_partitions(block.partitions) ? block.partitions : 0;
+      const std::int64_t tag = tag_for(block.dim, block.entity, {block.groups, partitions});
       plan_.block_tags.push_back(tag);
       if (tag != block.entity && block.entity != 0 && plan_.changed_blocks++ == 0) plan_.first_changed = b;
-      const auto box = new_boxes_.find({block.dim, tag});
-      if (box == new_boxes_.end()) continue;
-      const std::size_t size = block.count * block.nodes_each;
-      for (std::size_t k = 0; k < size; ++k) {
-        const Index node = document_.connectivity[block.nodes + k];
-        if (node >= 0) grow(box->second, document_.points[node]);
-      }
+      grow_by(block, tag);
+      if (partitions != 0 && tag != block.entity) grow_by(block, block.entity);
     }
     cover_nodes();
     for (auto& entity : plan_.entities) {
@@ -58,36 +54,64 @@ class Planner {
       entity.box = box->second[0] <= box->second[3] ? box->second : std::array<double, 6>{};
       if (entity.dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
     }
-    std::stable_sort(plan_.entities.begin(), plan_.entities.end(),
-                     [](const Entity& a, const Entity& b) { return a.dim < b.dim; });
+    std::stable_sort(plan_.entities.begin(), plan_.entities.end(), [](const Entity& a, const Entity& b) {
+      return std::pair(a.parent_dim >= 0, a.dim) < std::pair(b.parent_dim >= 0, b.dim);
+    });
+    plan_.partitions = document_.partitions;
+    for (const Entity& entity : plan_.entities)
+      for (const std::int64_t partition : document_.tag_sets[entity.partitions])
+        if (document_.partitions == 0) plan_.partitions = std::max(plan_.partitions, partition);
     return std::move(plan_);
   }
 
  private:
-  std::int64_t tag_for(int dim, std::int64_t tag, std::int32_t groups) {
-    if (last_ && std::tie(last_dim_, last_wanted_, last_groups_) == std::tie(dim, tag, groups)) return last_;
-    last_dim_ = dim, last_wanted_ = tag, last_groups_ = groups;
-    return last_ = find_tag(dim, tag, groups);
+  struct Belongs {  // positions in `Document::tag_sets`
+    std::int32_t groups = 0, partitions = 0;
+    auto operator<=>(const Belongs&) const = default;
+  };
+
+  // Ghosts, which 2.2 gives a negative number, are no partitions of an entity.
+  bool are_partitions(std::int32_t set) const {
+    const auto& tags = document_.tag_sets[set];
+    return std::all_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag > 0; });
   }
 
-  std::int64_t find_tag(int dim, std::int64_t tag, std::int32_t groups) {
-    if (const auto renamed = renamed_.find({dim, tag, groups}); renamed != renamed_.end())
-      return renamed->second;
+  void grow_by(const ElementBlock& block, std::int64_t tag) {
+    const auto box = new_boxes_.find({block.dim, tag});
+    if (box == new_boxes_.end()) return;
+    const std::size_t size = block.count * block.nodes_each;
+    for (std::size_t k = 0; k < size; ++k) {
+      const Index node = document_.connectivity[block.nodes + k];
+      if (node >= 0) grow(box->second, document_.points[node]);
+    }
+  }
+
+  std::int64_t tag_for(int dim, std::int64_t tag, Belongs to) {
+    if (last_ && std::tie(last_dim_, last_wanted_, last_to_) == std::tie(dim, tag, to)) return last_;
+    last_dim_ = dim, last_wanted_ = tag, last_to_ = to;
+    return last_ = find_tag(dim, tag, to);
+  }
+
+  std::int64_t find_tag(int dim, std::int64_t tag, Belongs to) {
+    if (const auto renamed = renamed_.find({dim, tag, to}); renamed != renamed_.end()) return renamed->second;
     if (tag != 0) {
-      const auto [place, is_new] = known_.try_emplace({dim, tag}, groups);
-      if (is_new) add(dim, tag, groups);
-      if (place->second == groups) return tag;
+      // Elements of a partition get an entity of their own, with the one that they name as its parent.
+      const auto [place, is_new] = known_.try_emplace({dim, tag}, Belongs{to.groups, 0});
+      if (is_new) add({.dim = dim, .groups = to.groups, .tag = tag});
+      if (place->second == to) return tag;
     }
     const std::int64_t fresh = ++largest_[dim];
-    renamed_[{dim, tag, groups}] = fresh;
-    known_[{dim, fresh}] = groups;
-    add(dim, fresh, groups);
+    renamed_[{dim, tag, to}] = fresh;
+    known_[{dim, fresh}] = to;
+    Entity entity{.dim = dim, .groups = to.groups, .tag = fresh, .partitions = to.partitions};
+    if (to.partitions != 0) entity.parent_dim = dim, entity.parent = tag;
+    add(std::move(entity));
     return fresh;
   }
 
-  void add(int dim, std::int64_t tag, std::int32_t groups) {
-    plan_.entities.push_back({.dim = dim, .groups = groups, .tag = tag});
-    new_boxes_[{dim, tag}] = empty_box;
+  void add(Entity entity) {
+    new_boxes_[{entity.dim, entity.tag}] = empty_box;
+    plan_.entities.push_back(std::move(entity));
   }
 
   // Nodes that belong to no entity are given to that of the block of the highest dimension.
@@ -99,14 +123,14 @@ class Planner {
     std::size_t covered = 0;
     const auto give = [&](std::size_t to) {
       if (to <= covered) return;
-      if (tag == 0) tag = tag_for(dim, 1, 0);
+      if (tag == 0) tag = tag_for(dim, 1, {});
       add_node_block({.dim = dim, .entity = tag, .first = covered, .count = to - covered});
     };
     for (NodeBlock block : document_.node_blocks) {
       give(block.first);
       covered = block.first + block.count;
       if (block.entity == 0 || !known_.count({block.dim, block.entity}))
-        block.entity = tag_for(block.dim, block.entity, 0);
+        block.entity = tag_for(block.dim, block.entity, {});
       add_node_block(block);
     }
     give(document_.points.size());
@@ -121,13 +145,13 @@ class Planner {
 
   const Document& document_;
   EntityPlan plan_;
-  std::map<std::pair<int, std::int64_t>, std::int32_t> known_;
-  std::map<std::tuple<int, std::int64_t, std::int32_t>, std::int64_t> renamed_;
+  std::map<std::pair<int, std::int64_t>, Belongs> known_;
+  std::map<std::tuple<int, std::int64_t, Belongs>, std::int64_t> renamed_;
   std::map<int, std::int64_t> largest_;
   std::map<std::pair<int, std::int64_t>, std::array<double, 6>> new_boxes_;
   int last_dim_ = -1;
   std::int64_t last_wanted_ = 0, last_ = 0;
-  std::int32_t last_groups_ = 0;
+  Belongs last_to_;
 };
 
 }  // namespace

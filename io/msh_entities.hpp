@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The entities that a 4.1 file must list: the document's own, and those that its blocks only name.
+// The entities that a 4.0 or 4.1 file must list: the document's own, and those that its blocks only name.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,9 @@
 namespace tetproof::io {
 
 struct EntityPlan {
-  std::vector<Entity> entities;          ///< by dimension, else in the document's order, new ones last
+  std::vector<Entity>
+      entities;  ///< as they are written: those of partitions last, by dimension, new ones last
+  std::int64_t partitions = 0;           ///< how many
   std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
   std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
   std::size_t changed_blocks =
@@ -18,7 +20,8 @@ struct EntityPlan {
   std::size_t first_changed = 0;
 };
 
-/// In 4.1 groups belong to entities: blocks of one entity with different groups become different entities.
+/// In 4.0 and 4.1 groups and partitions belong to entities: blocks of one entity with different ones become
+/// different entities.
 EntityPlan plan_entities(const Document& document);
 
 /// The document's entities that its elements and nodes alone do not tell: with a boundary, part of a

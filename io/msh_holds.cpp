@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What .msh files hold of a document by themselves.
+// What .msh files hold, each version as it is written here.
 #include <fmt/format.h>
 
-#include "io/msh.hpp"
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <string_view>
+
+#include "io/element_types.hpp"
 #include "io/msh22_limits.hpp"
 #include "io/msh_entities.hpp"
 #include "io/msh_write.hpp"
@@ -10,65 +16,216 @@
 namespace tetproof::io {
 namespace {
 
-// Partitions belong to partitioned entities in 4.
-bool has_partitions_of_entities(const Document& document) {
-  for (const ElementBlock& block : document.blocks) {
-    if (block.partitions == 0) continue;
-    bool found = false;
-    for (const Entity& entity : document.entities)
-      found = found || (entity.parent_dim >= 0 && entity.dim == block.dim && entity.tag == block.entity &&
-                        entity.partitions == block.partitions);
-    if (!found) return false;
-  }
-  return true;
+// Sections that a version gives a meaning of its own.
+constexpr std::array<std::string_view, 16> versioned{
+    "MeshFormat",      "PhysicalNames", "Nodes",         "Elements",
+    "ParametricNodes", "NOD",           "NOE",           "ELM",
+    "Entities",        "Periodic",      "PeriodicNodes", "PartitionedEntities",
+    "ElementCuts",     "BoundaryLayer", "GhostElements", "Parametrizations"};
+// Those that name nodes or elements, the same way in all versions.
+constexpr std::array<std::string_view, 3> data{"NodeData", "ElementData", "ElementNodeData"};
+
+bool contains(const auto& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void ask_msh4(const Document& document, Holds& holds) {
-  holds.node_tags = holds.element_tags = true;
-  holds.entities = holds.node_entities = true;
-  holds.groups = Holds::Groups::all;
-  holds.parameters = holds.ghosts = holds.partition_count = true;
-  holds.partitions = has_partitions_of_entities(document);
-  const EntityPlan plan = plan_entities(document);
-  for (std::size_t b = 0; b < document.blocks.size(); ++b) {
-    const ElementBlock& block = document.blocks[b];
-    if (block.entity == 0 || plan.block_tags[b] == block.entity) continue;
-    if (holds.changed_entities == 0)
-      holds.changed_entity = fmt::format("element {} in entity {} comes into entity {}",
-                                         document.element_tag(block.first), block.entity, plan.block_tags[b]);
-    holds.changed_entities += static_cast<std::int64_t>(block.count);
-  }
+bool fits_int(std::int64_t tag) {
+  return tag >= -largest_int - 1 && tag <= largest_int;
 }
 
-void ask_msh22(const Document& document, bool binary, Holds& holds) {
+bool all_differ(const std::vector<std::int64_t>& tags) {
+  if (std::is_sorted(tags.begin(), tags.end(), std::less_equal<>())) return true;  // strictly ascending
+  std::vector<std::int64_t> sorted = tags;
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+// Text in double quotes, to the last quote of its line.
+bool is_quotable(const std::string& text) {
+  return text.find_first_of("\r\n") == text.npos;
+}
+
+// Runs of nodes as a reader puts them together: `merged` if it joins what is alike.
+std::vector<NodeBlock> runs_of(const std::vector<NodeBlock>& blocks, bool merged) {
+  std::vector<NodeBlock> runs;
+  for (const NodeBlock& block : blocks) {
+    if (block.count == 0) continue;
+    if (merged && !runs.empty() && runs.back().dim == block.dim && runs.back().entity == block.entity)
+      runs.back().count += block.count;
+    else
+      runs.push_back(block);
+  }
+  return runs;
+}
+
+bool same_runs(const std::vector<NodeBlock>& a, const std::vector<NodeBlock>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const NodeBlock& x, const NodeBlock& y) {
+    return x.dim == y.dim && x.entity == y.entity && x.first == y.first && x.count == y.count;
+  });
+}
+
+void hold_names(const Document& document, Holds& holds) {
+  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(),
+                                  [](const GroupName& name) { return is_quotable(name.name); });
+}
+
+void hold_data(const Document& document, const MshTags& tags, const std::string& format, bool binary,
+               Holds& holds) {
+  const bool any = !document.node_values.empty() || !document.element_values.empty() ||
+                   !document.element_node_values.empty() || !document.ghost_elements.empty() ||
+                   !document.periodic.empty();
+  const bool nodes_differ = any && (tags.renumber_nodes || all_differ(document.node_tags));
+  const bool elements_differ = any && (tags.renumber_elements || all_differ(document.element_tags));
+  const bool short_numbers = binary && format != "msh22";
+  holds.periodic =
+      nodes_differ &&
+      std::all_of(document.periodic.begin(), document.periodic.end(), [&](const PeriodicLink& link) {
+        return link.dim >= 0 && link.dim <= 3 &&
+               (format == "msh41" || link.affine.empty() || link.affine.size() == 16) &&
+               (!short_numbers || (fits_int(link.entity) && fits_int(link.master)));
+      });
+  holds.ghosts = format != "msh22" ? elements_differ || document.ghost_elements.empty()
+                                   : document.ghost_elements.empty() && document.ghosts.empty();
+  for (const GhostElement& ghost : document.ghost_elements)
+    if (short_numbers &&
+        !(fits_int(ghost.partition) && std::all_of(ghost.ghosts.begin(), ghost.ghosts.end(), fits_int)))
+      holds.ghosts = false;
+  if (document.periodic.empty()) holds.periodic = true;
+  holds.values = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
+    if (!values.integers.empty() || !values.labels.empty() || values.components < 1) return false;
+    if (!is_quotable(values.name) || !is_quotable(values.interpolation)) return false;
+    if (!values.of_view && (values.time != 0 || std::signbit(values.time) || values.step != 0 ||
+                            values.partition != 0 || !values.interpolation.empty()))
+      return false;
+    if (!(of == Of::node ? nodes_differ : elements_differ)) return false;
+    if ((of == Of::element_node) == values.nodes.empty() && values.size() > 0) return false;
+    std::size_t size = of == Of::element_node ? 0 : values.items();
+    for (const std::int32_t nodes : values.nodes) size += static_cast<std::size_t>(nodes);
+    if (size * static_cast<std::size_t>(values.components) != values.reals.size()) return false;
+    for (std::size_t i = 0; binary && i < values.items(); ++i) {
+      const Index at = values.at.empty() ? static_cast<Index>(values.first + i) : values.at[i];
+      if (!fits_int(of == Of::node ? tags.node(at) : tags.element(at))) return false;
+    }
+    return true;
+  };
+  holds.section = [format, binary, tags](const Section& section) {
+    const bool renumbered = tags.renumber_nodes || tags.renumber_elements;
+    return section.body.ends_with('\n') && keeps_section(section, format, binary) &&
+           !(renumbered && contains(data, section.name));
+  };
+}
+
+Holds hold22(const Document& document, bool binary) {
   const Msh22Limits limits = msh22_limits(document, binary);
+  Holds holds;
   holds.node_tags = !limits.renumber_nodes;
   if (limits.renumber_nodes)
     holds.unknown_number = [nodes = document.points.size()](std::size_t k) {
       return static_cast<std::int64_t>(nodes + k + 1);
     };
   holds.element_tags = !limits.renumber_elements;
-  holds.groups = Holds::Groups::first;
+  holds.unknown_nodes = true;
+  holds.entities = document.entities.empty();
   holds.partitions = true;
-  holds.node_entities = limits.parametric;
-  holds.parameters = true;
-  for (const NodeBlock& block : document.node_blocks)
-    if (block.parameters_each > 0 && !(limits.parametric && block.dim < 3)) holds.parameters = false;
+  holds.element_entities = true;
+  holds.groups = Holds::Groups::all;
+  for (const ElementBlock& block : document.blocks) {
+    const ElementType* type = element_type(block.type);
+    if (block.entity != 0 && block.dim != (type ? type->dim : 3)) holds.element_entities = false;
+    const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    if (groups.empty() || groups == groups22(document, block)) continue;
+    if (groups[0] == 0)
+      holds.groups = Holds::Groups::none;
+    else if (holds.groups == Holds::Groups::all)
+      holds.groups = Holds::Groups::first;
+  }
+  holds.node_entities = limits.parametric ? same_runs(runs_of(document.node_blocks, true),
+                                                      runs_of(plan_entities(document).node_blocks, true))
+                                          : document.node_blocks.empty();
+  holds.parameters =
+      std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [&](const NodeBlock& block) {
+        return block.parameters_each == 0 || (limits.parametric && (block.dim == 1 || block.dim == 2) &&
+                                              block.parameters_each == block.dim);
+      });
+  hold_data(document,
+            {&document, limits.renumber_nodes, limits.renumber_elements, document.elements() + limits.copies},
+            "msh22", binary, holds);
+  return holds;
+}
+
+bool same(const Entity& a, const Entity& b) {
+  return a.dim == b.dim && a.groups == b.groups && a.tag == b.tag && a.boundary == b.boundary &&
+         a.parent_dim == b.parent_dim && a.parent == b.parent && a.partitions == b.partitions;
+}
+
+// Whether the document's entities come back in their order, with others between them at most.
+bool holds_entities(const Document& document, const std::vector<Entity>& written, const std::string& format) {
+  auto next = written.begin();
+  for (const Entity& entity : document.entities) {
+    next = std::find_if(next, written.end(), [&](const Entity& other) { return same(entity, other); });
+    if (next++ == written.end()) return false;
+    const bool has_box = format == "msh40" || entity.dim > 0 ||
+                         std::equal(entity.box.begin(), entity.box.begin() + 3, entity.box.begin() + 3);
+    if (!has_box || (entity.dim == 0 && !entity.boundary.empty()) ||
+        (entity.parent_dim < 0 && (entity.partitions != 0 || entity.parent != 0)))
+      return false;
+  }
+  return true;
+}
+
+Holds hold4(const Document& document, const std::string& format, bool binary) {
+  const EntityPlan plan = plan_entities(document);
+  Holds holds;
+  holds.node_tags = holds.element_tags = holds.unknown_nodes = true;
+  holds.entities = holds_entities(document, plan.entities, format);
+  holds.element_entities = true;
+  std::map<std::pair<int, std::int64_t>, const Entity*> entities;
+  for (const Entity& entity : plan.entities) entities.try_emplace({entity.dim, entity.tag}, &entity);
+  holds.groups = Holds::Groups::all;
+  holds.partitions = holds.partition_count = true;
+  for (std::size_t b = 0; b < document.blocks.size(); ++b) {
+    const ElementBlock& block = document.blocks[b];
+    const Entity& entity = *entities.at({block.dim, plan.block_tags[b]});
+    if (block.entity != 0 && plan.block_tags[b] != block.entity) {
+      if (holds.changed_entities == 0)
+        holds.changed_entity =
+            fmt::format("element {} in entity {} comes into entity {}", document.element_tag(block.first),
+                        block.entity, plan.block_tags[b]);
+      holds.changed_entities += static_cast<std::int64_t>(block.count);
+    }
+    if (entity.groups != block.groups) holds.groups = Holds::Groups::none;
+    if (entity.partitions != block.partitions) holds.partitions = false;
+  }
+  holds.node_entities = same_runs(runs_of(document.node_blocks, false), runs_of(plan.node_blocks, false));
+  holds.parameters =
+      std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [](const NodeBlock& block) {
+        return block.parameters_each == 0 || block.parameters_each == block.dim;
+      });
+  hold_data(document, {&document}, format, binary, holds);
+  return holds;
 }
 
 }  // namespace
 
+bool keeps_section(const Section& section, const std::string& format, bool binary) {
+  if (section.name == "InterpolationScheme") return true;  // always text
+  const bool same_bytes = section.binary == binary && !(section.binary && section.swapped);
+  if (contains(data, section.name)) return same_bytes;
+  if (contains(versioned, section.name)) return same_bytes && section.format == format;
+  return true;  // nobody reads anything into it
+}
+
+bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary) {
+  if (const ElementType* type = element_type(block.type)) return type->nodes == block.nodes_each;
+  return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
+}
+
 Holds msh_holds(const Document& document, const std::string& format, bool binary) {
-  Holds holds;
+  Holds holds = format == "msh22" ? hold22(document, binary) : hold4(document, format, binary);
   holds.kept_in = "$TetproofSupplement";
-  holds.unknown_nodes = holds.element_entities = holds.group_names = true;
+  hold_names(document, holds);
   holds.nodes_each = [&document, format, binary](const ElementBlock& block) {
     return msh_holds(document, block, format, binary) ? block.nodes_each : 0;
-  };
-  format == "msh22" ? ask_msh22(document, binary, holds) : ask_msh4(document, holds);
-  const bool numbers = holds.node_tags && holds.element_tags;  // sections speak of them
-  holds.section = [format, binary, numbers](const Section& section) {
-    return numbers && section.body.ends_with('\n') && keeps_section(section, format, binary);
   };
   return holds;
 }

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <optional>
 
 #include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/msh.hpp"
+#include "io/msh_data.hpp"
 #include "io/msh_sections.hpp"
 #include "io/supplement.hpp"
 
@@ -74,13 +74,47 @@ class Reader {
     } else if (name == "TetproofSupplement") {
       supplement();
       return;
-    } else {
+    } else if (name == "Periodic") {
+      Numbers numbers = numbers_here(!v4);
+      data_.read_periodic(numbers, !v4 || (format_name == "msh40" && !binary_));
+      go_to(numbers.offset());
+    } else if (name == "GhostElements" && v4) {
+      Numbers numbers = numbers_here();
+      data_.read_ghosts(numbers);
+      go_to(numbers.offset());
+    } else if (!is_data(name) || !data(name)) {
       keep(name);
       return;
     }
+    end(name);
+  }
+
+  void end(const std::string& name) {
     const std::string end = (name == "NOD" || name == "NOE" || name == "ELM" ? "$END" : "$End") + name;
     const std::string_view word = in_.word();
-    if (word != end) in_.fail(end, word);
+    if (word == end) return;
+    if (!is_data(name) || !word.starts_with("$End")) in_.fail(end, word);
+    document_.warnings.push_back(
+        fmt::format("{}:{}: section ${} ends with {}", file_.path(), in_.line(), name, word));
+  }
+
+  static bool is_data(const std::string& name) {
+    return name == "NodeData" || name == "ElementData" || name == "ElementNodeData";
+  }
+
+  // False where it has tags that are not understood.
+  bool data(const std::string& name) {
+    Scanner in = in_;
+    auto header = MshData::read_header(in);
+    if (!header) return false;
+    in_ = in;
+    Numbers numbers = numbers_here();
+    data_.read_rows(numbers, std::move(*header),
+                    name == "NodeData"      ? Of::node
+                    : name == "ElementData" ? Of::element
+                                            : Of::element_node);
+    go_to(numbers.offset());
+    return true;
   }
 
   void format() {
@@ -96,6 +130,10 @@ class Reader {
       in_.fail_in_line(fmt::format("expected 0 for text or 1 for binary, found {}", kind));
     binary_ = kind == 1;
     const std::int64_t size = in_.integer("the size of a number in bytes");
+    if (!binary_ && size != 8)
+      document_.warnings.push_back(
+          fmt::format("{}:{}: the size of numbers is {} and not 8, which means nothing in text", file_.path(),
+                      in_.line(), size));
     if (!binary_) return;
     if (size != 8) in_.fail_in_line(fmt::format("expected binary numbers of 8 bytes, found {}", size));
     in_.next_line();
@@ -163,7 +201,7 @@ class Reader {
     if (binary_) in_.next_line();
     Numbers numbers = numbers_here();
     read_elements22(numbers, count, document_.format == "msh1" ? ElementTags::v1 : element_tags_, document_,
-                    *index_, sets_);
+                    *index_, sets_, copies_);
     go_to(numbers.offset());
   }
 
@@ -223,28 +261,23 @@ class Reader {
         if (document_.format != "msh3") block.partitions = found->second->partitions;
       }
     }
-    const std::vector<std::int64_t>& given = document_.element_tags;
-    if (std::is_sorted(given.begin(), given.end(), std::less_equal<>())) return;  // strictly ascending
-    std::vector<std::int64_t> tags = given;
-    std::sort(tags.begin(), tags.end());
-    const auto twice = std::adjacent_find(tags.begin(), tags.end());
-    if (twice != tags.end())
-      document_.warnings.push_back(
-          fmt::format("{}: several elements have the tag {} (the first such)", file_.path(), *twice));
+    if (!data_.empty()) {
+      if (!index_) index_.emplace(document_);
+      data_.look_up(document_, *index_, copies_);
+    }
+    warn_of_oddities(document_, copies_);
   }
 
   // Elements stood before their nodes.
   void find_late_nodes() {
     std::vector<std::int64_t> unknown;
     unknown.swap(document_.unknown);
-    NodeIndex index(document_);
+    index_.emplace(document_);
     for (Index& node : document_.connectivity)
-      if (node < 0) node = index(unknown[-1 - node]);
+      if (node < 0) node = (*index_)(unknown[-1 - node]);
   }
 
-  Numbers numbers_here(bool text = false) const {
-    return {file_, in_.offset(), binary_ && !text, swapped_};
-  }
+  Numbers numbers_here(bool text = false) const { return {file_, in_.offset(), binary_ && !text, swapped_}; }
   void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
 
   const InputFile& file_;
@@ -253,6 +286,8 @@ class Reader {
   TagSets sets_;
   std::optional<NodeIndex> index_;
   std::string_view supplement_, native_part_;
+  MshData data_;
+  std::vector<ElementTag> copies_;
   bool binary_ = false, swapped_ = false;
   ElementTags element_tags_ = ElementTags::v22;
   bool has_nodes_ = false, has_elements_ = false, nodes_came_later_ = false;

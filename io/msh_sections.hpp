@@ -4,6 +4,7 @@
 
 #include "io/document.hpp"
 #include "io/large_pages.hpp"
+#include "io/msh_data.hpp"
 #include "io/node_index.hpp"
 #include "io/numbers.hpp"
 #include "io/tag_sets.hpp"
@@ -26,9 +27,13 @@ void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& do
 /// How a line tells an element's tags: versions 1; 2.0 and 2.1, whose third tag is the partition; 2.2, whose
 /// third tag counts the partitions that follow; 3, where they stand behind the nodes.
 enum class ElementTags { v1, v20, v22, v3 };
-/// After the line with the number of elements.
+/// After the line with the number of elements. An element that stands once for each of its physical groups
+/// becomes one; `copies` gets the tags of its further appearances.
 void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
-                     TagSets& sets);
+                     TagSets& sets, std::vector<ElementTag>& copies);
+
+/// Warns of what is legal, but suspicious in a document that has been read.
+void warn_of_oddities(Document& document, const std::vector<ElementTag>& copies);
 
 /// Makes room for `more` numbers at the end of `numbers` and returns where they start.
 template <class T>

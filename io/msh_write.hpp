@@ -10,6 +10,7 @@
 #include <string>
 
 #include "io/document.hpp"
+#include "io/holds.hpp"
 #include "io/msh.hpp"
 #include "io/text_output.hpp"
 
@@ -22,11 +23,34 @@ std::string msh_header(const char* version, bool binary);
 /// $PhysicalNames; empty if there are none.
 std::string msh_names(const Document& document);
 /// The kept sections that stood before the nodes, or those after them.
-std::string msh_kept_sections(const Document& document, const std::string& format, bool binary,
-                              bool before_nodes);
+std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes);
+
+/// The numbers under which nodes and elements are written.
+struct MshTags {
+  const Document* document;
+  bool renumber_nodes = false, renumber_elements = false;  ///< from 1
+  std::size_t elements = 0;                                ///< that are written, copies included
+
+  std::int64_t node(Index i) const {
+    if (!renumber_nodes) return document->named(i);
+    return i < 0 ? static_cast<std::int64_t>(document->points.size()) - i : std::int64_t{i} + 1;
+  }
+  std::int64_t element_at(std::size_t e) const {
+    return renumber_elements ? static_cast<std::int64_t>(e) + 1 : document->element_tag(e);
+  }
+  std::int64_t element(Index i) const {
+    if (i >= 0) return element_at(static_cast<std::size_t>(i));
+    return renumber_elements ? static_cast<std::int64_t>(elements) - i
+                             : document->unknown[static_cast<std::size_t>(-1 - i)];
+  }
+};
+
+/// $Periodic, $GhostElements and the sections of data, as far as `holds` has them.
+void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, const std::string& format,
+                    bool binary);
 
 /// Whether elements of this block can be written: of types that Gmsh's list does not say the nodes of, only
-/// as text and in the version that they came in.
+/// as text, and but for polygons and polyhedra only in the version that they came in.
 bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary);
 
 template <class T>

@@ -41,17 +41,45 @@ inline std::string text_of(const Document& document, bool with_format = true) {
                           block.dim, block.entity, fmt::join(document.tag_sets.at(block.groups), ","),
                           fmt::join(document.tag_sets.at(block.partitions), ","));
       for (int k = 0; k < block.nodes_each; ++k) {
-        const Index node = document.connectivity.at(block.nodes + e * block.nodes_each + k);
-        text += node < 0 ? fmt::format(" ?{}", document.unknown.at(-1 - node))
-                         : fmt::format(" {}", document.node_tag(node));
+        const Index i = document.connectivity.at(block.nodes + e * block.nodes_each + k);
+        text += i < 0 ? fmt::format(" ?{}", document.unknown.at(-1 - i))
+                      : fmt::format(" {}", document.node_tag(i));
       }
       text += "\n";
     }
-  for (const auto& [values, of] :
-       {std::pair{&document.node_values, "nodes"}, {&document.element_values, "elements"}})
-    for (const Values& v : *values)
-      text += fmt::format("v {} {} {}: {}{}\n", of, v.name, v.components, fmt::join(v.reals, " "),
-                          fmt::join(v.integers, " "));
+  const auto node = [&](Index i) {
+    return i < 0 ? fmt::format("?{}", document.unknown.at(static_cast<std::size_t>(-1 - i)))
+                 : fmt::format("{}", document.node_tag(static_cast<std::size_t>(i)));
+  };
+  const auto element = [&](Index i) {
+    return i < 0 ? fmt::format("?{}", document.unknown.at(static_cast<std::size_t>(-1 - i)))
+                 : fmt::format("{}", document.element_tag(static_cast<std::size_t>(i)));
+  };
+  const auto add_values = [&](const std::vector<Values>& all, const char* of, const auto& name) {
+    for (const Values& v : all) {
+      text += fmt::format("v {} {} {}", of, v.name, v.components);
+      if (v.of_view) text += fmt::format(" view {} {} {} [{}]", v.time, v.step, v.partition, v.interpolation);
+      if (v.of_view || v.first != 0 || !v.at.empty()) {
+        text += " at";
+        for (std::size_t i = 0; i < v.items(); ++i)
+          text += " " + name(v.at.empty() ? static_cast<Index>(v.first + i) : v.at[i]);
+      }
+      if (!v.nodes.empty()) text += fmt::format(" of {}", fmt::join(v.nodes, " "));
+      text += fmt::format(": {}{}\n", fmt::join(v.reals, " "), fmt::join(v.integers, " "));
+    }
+  };
+  add_values(document.node_values, "nodes", node);
+  add_values(document.element_values, "elements", element);
+  add_values(document.element_node_values, "elements' nodes", element);
+  for (const PeriodicLink& link : document.periodic) {
+    text += fmt::format("periodic {}/{} {} ({}):", link.dim, link.entity, link.master,
+                        fmt::join(link.affine, " "));
+    for (const auto& [one, master] : link.nodes) text += fmt::format(" {}-{}", node(one), node(master));
+    text += "\n";
+  }
+  for (const GhostElement& ghost : document.ghost_elements)
+    text += fmt::format("ghost element {} {}: {}\n", element(ghost.element), ghost.partition,
+                        fmt::join(ghost.ghosts, " "));
   for (const Section& section : document.sections)
     text += fmt::format("S {}{} [{}]\n", section.before_nodes ? "^" : "", section.name, section.body);
   return text;

@@ -42,7 +42,9 @@ const std::vector<Case> cases{
        "-3\n"
        "3 2 0 1 3 7 8 9\n4 15 1 1 1 11\n$ENDELM\n"}},
      "msh1\nn 7 0 0 0\nn 8 1 0 0\nn 9 0 1 0\nn -3 0 0 1\ne 1 4 3/2 g5,6 p: 7 8 9 -3\ne 3 2 2/1 g p: 7 8 9\n"
-     "e 4 15 0/1 g1 p: ?11\n"},
+     "e 4 15 0/1 g1 p: ?11\n",
+     {"a.msh: 1 element repeats another one in a further physical group and is merged with it; the first is "
+      "element 2, which repeats element 1"}},
     {"Msh1OlderNameOfTheNodes",
      {{"a.msh", "$NOE\n1\n1 0 0 0\n$ENDNOE\n$ELM\n0\n$ENDELM\n$PostFormat\n1\n$EndPostFormat\n"}},
      "msh1\nn 1 0 0 0\nS PostFormat [1\n]\n"},
@@ -152,7 +154,7 @@ const std::vector<Case> cases{
                     "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n2 0.1\n$EndNodeData\n"
                     "$Mine\n$EndMine2 is text\n$EndMine\n$Void\n$EndVoid\n"}},
      "msh41\n" + n4 +
-         "N 3/1 4: \ne 1 4 3/1 g p: 1 2 3 4\nS NodeData [1\n\"T\"\n1\n0\n3\n0\n1\n1\n2 0.1\n]\n"
+         "N 3/1 4: \ne 1 4 3/1 g p: 1 2 3 4\nv nodes T 1 view 0 0 0 [] at 2: 0.1\n"
          "S Mine [$EndMine2 is text\n]\nS Void []\n"},
     {"Msh41TrailingBytes",
      {{"a.msh", v41 + nodes41 + tet41 + "garbage $"}},
@@ -195,7 +197,9 @@ const std::vector<Case> cases{
                     "4 4 2 7 1 1 2 4 3\n5 4 2 7 1 1 2 4 3\n6 4 2 8 2 1 2 4 3\n$EndElements\n"}},
      "msh22\n" + n4 +
          "e 1 4 3/1 g7,8,9 p: 1 2 3 4\ne 4 4 3/1 g7 p: 1 2 4 3\ne 5 4 3/1 g7 p: 1 2 4 3\n"
-         "e 6 4 3/2 g8 p: 1 2 4 3\n"},
+         "e 6 4 3/2 g8 p: 1 2 4 3\n",
+     {"a.msh: 2 elements repeat another one in a further physical group and are merged with it; the first is "
+      "element 2, which repeats element 1"}},
     {"Msh22UnknownTypeAndNode",
      {{"a.msh", v22 + nodes22 + "$Elements\n2\n10 999 2 0 1 1 2\n11 2 2 0 1 1 2 77\n$EndElements\n"}},
      "msh22\n" + n4 + "e 10 999 3/1 g p: 1 2\ne 11 2 2/1 g p: 1 2 ?77\n"},
@@ -205,9 +209,9 @@ const std::vector<Case> cases{
                     "$EndParametricNodes\n" +
                     tet22}},
      "msh22\n" + n4 + "N 0/1 1: \nN 1/2 1: 0.5\nN 2/3 1: 0.25 0.75\nN 3/4 1: \ne 1 4 3/1 g p: 1 2 3 4\n"},
-    {"Msh22PeriodicIsKept",
+    {"Msh22PeriodicOfNothing",
      {{"a.msh", v22 + nodes22 + tet22 + "$Periodic\n0\n$EndPeriodic\n"}},
-     "msh22\n" + n4 + "e 1 4 3/1 g p: 1 2 3 4\nS Periodic [0\n]\n"},
+     "msh22\n" + n4 + "e 1 4 3/1 g p: 1 2 3 4\n"},
 
     {"TetgenSmallest",
      {{"a.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"}, {"a.ele", "1 4 0\n1 1 2 3 4\n"}},

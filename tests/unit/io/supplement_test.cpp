@@ -2,6 +2,7 @@
 // What .msh and TetGen files keep aside comes back, unless the file was changed since.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "document_text.hpp"
@@ -68,6 +69,33 @@ Document everything() {
   return d;
 }
 
+// Unknown numbers may come in another order, and once for nodes and once for elements.
+Document with_sorted_unknown(Document d) {
+  std::vector<std::int64_t> sorted = d.unknown;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  const auto rename = [&](Index& i) {
+    if (i >= 0) return;
+    const std::int64_t number = d.unknown.at(static_cast<std::size_t>(-1 - i));
+    i = -1 - static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
+  };
+  for (Index& i : d.connectivity) rename(i);
+  for (auto* all : {&d.node_values, &d.element_values, &d.element_node_values})
+    for (Values& v : *all)
+      for (Index& i : v.at) rename(i);
+  for (auto& g : d.ghost_elements) rename(g.element);
+  for (auto& l : d.periodic)
+    for (auto& pair : l.nodes) rename(pair[0]), rename(pair[1]);
+  for (auto& b : d.length_bounds) rename(b.nodes[0]), rename(b.nodes[1]);
+  d.unknown = sorted;
+  return d;
+}
+
+// What .msh 2.2 says of elements in several groups, which it lists once for each.
+bool tells_of_groups(const std::string& warning) {
+  return warning.find("further physical group") != warning.npos;
+}
+
 // As the supplement says it, which has all of a document but its points.
 std::string told(Document document) {
   if (!document.node_tags.empty()) document.first_node = 0;
@@ -97,24 +125,11 @@ TEST_P(Supplement, BringsEverythingBack) {
   EXPECT_TRUE(losses(path, document, GetParam().options).empty());
   EXPECT_FALSE(kept_aside(path, document, GetParam().options).items.empty());
   write_document(path, document, GetParam().options);
-  const Document again = read_document(path);
+  Document again = read_document(path);
+  std::erase_if(again.warnings, tells_of_groups);
   EXPECT_EQ(again.warnings.size(), 0u) << again.warnings[0];
-  // Unknown numbers may come in another order.
   EXPECT_EQ(test::text_of(again, false), test::text_of(document, false));
-  Document same_unknown = again;
-  if (again.unknown != document.unknown) {
-    ASSERT_EQ(again.unknown, (std::vector<std::int64_t>{2, 99}));
-    const auto swap = [](Index& i) { i = i < 0 ? -3 - i : i; };
-    for (Index& i : same_unknown.connectivity) swap(i);
-    for (auto& v : same_unknown.node_values)
-      for (Index& i : v.at) swap(i);
-    for (auto& g : same_unknown.ghost_elements) swap(g.element);
-    for (auto& l : same_unknown.periodic)
-      for (auto& pair : l.nodes) swap(pair[0]), swap(pair[1]);
-    for (auto& b : same_unknown.length_bounds) swap(b.nodes[0]), swap(b.nodes[1]);
-    same_unknown.unknown = document.unknown;
-  }
-  EXPECT_EQ(told(same_unknown), told(document));
+  EXPECT_EQ(told(with_sorted_unknown(again)), told(with_sorted_unknown(document)));
 }
 
 TEST_P(Supplement, IsIgnoredWhenTheFileWasChanged) {
@@ -126,7 +141,8 @@ TEST_P(Supplement, IsIgnoredWhenTheFileWasChanged) {
   ASSERT_NE(supplement, bytes.npos);
   bytes.insert(bytes.rfind('\n', supplement - (GetParam().file == "a.node" ? 4 : 22)), 1, ' ');
   files.write(GetParam().file, bytes);
-  const Document again = read_document(path);
+  Document again = read_document(path);
+  std::erase_if(again.warnings, tells_of_groups);
   ASSERT_EQ(again.warnings.size(), 1u);
   EXPECT_NE(again.warnings[0].find("the supplement is ignored"), std::string::npos) << again.warnings[0];
   EXPECT_TRUE(again.group_names.size() < 2 || again.title.empty());

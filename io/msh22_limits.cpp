@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/msh22_limits.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "io/msh_write.hpp"
+
+namespace tetproof::io {
+
+Msh22Limits msh22_limits(const Document& document, bool binary) {
+  Msh22Limits limits;
+  const std::int64_t most = binary ? largest_int : std::numeric_limits<std::int64_t>::max();
+  const auto fits = [&](const std::pair<std::int64_t, std::int64_t>& range) {
+    return range.first >= -most - 1 && range.second <= most;
+  };
+  const auto unknown = range_of(document.unknown.size(), [&](std::size_t k) { return document.unknown[k]; });
+  const auto elements = range_of(document.elements(), [&](std::size_t i) { return document.element_tag(i); });
+  limits.renumber_nodes =
+      !fits(unknown) ||
+      !fits(range_of(document.points.size(), [&](std::size_t i) { return document.node_tag(i); }));
+  for (const ElementBlock& block : document.blocks)
+    limits.copies += block.count * (groups22(document, block).size() - 1);
+  // Copies are numbered behind all elements, and behind those that data names but that do not exist.
+  const bool names_elements = !document.element_values.empty() || !document.element_node_values.empty();
+  const std::int64_t last = std::max(elements.second, names_elements ? unknown.second : 0);
+  limits.renumber_elements =
+      !fits(elements) || (names_elements && !fits(unknown)) ||
+      (limits.copies > 0 && (last < 0 || static_cast<std::uint64_t>(most - last) < limits.copies));
+  limits.first_copy = (limits.renumber_elements ? static_cast<std::int64_t>(document.elements())
+                       : limits.copies > 0      ? last
+                                                : 0) +
+                      1;
+  bool all = true, any = false;
+  for (const NodeBlock& block : document.node_blocks) {
+    any = any || (block.parameters_each > 0 && block.dim < 3);
+    all = all && (block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim);
+  }
+  limits.parametric = any && all;
+  return limits;
+}
+
+std::vector<std::int64_t> groups22(const Document& document, const ElementBlock& block) {
+  std::vector<std::int64_t> groups;
+  for (const std::int64_t group : document.tag_sets[static_cast<std::size_t>(block.groups)])
+    if (group != 0 && groups.size() < most_groups22 &&
+        std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(group);
+  if (groups.empty()) groups.push_back(0);
+  return groups;
+}
+
+}  // namespace tetproof::io
