@@ -53,8 +53,8 @@ class Reader {
     start.at_end('#');
     keyword_ = read_keyword(file_.bytes(), start);
     Scanner scanner(file_.path(), file_.bytes(), keyword_.end);
-    if (scanner.peek_word('#') == "BINARY") scanner.fail_in_line("expected OFF as text, found binary OFF");
     if (!surface_ && source_.document.title.empty()) source_.document.title = leading_comments(scanner);
+    if (scanner.peek_word('#') == "BINARY") scanner.fail_in_line("expected OFF as text, found binary OFF");
 
     const std::int64_t vertices = scanner.count("the number of vertices", 6, '#');
     const std::int64_t faces = scanner.count("the number of faces", 2, '#');
