@@ -19,14 +19,34 @@ namespace tetproof::io {
 /// The number of a group without a name; none if the word is a name.
 std::optional<std::int64_t> group_number(std::string_view word);
 
-/// The word for a group.
-std::string group_word(const Document& document, int dim, std::int64_t group);
+/// A comment that tells the number of a group with a name, `# group 5 wing`, where it is not the one that the
+/// word would get.
+inline constexpr std::string_view group_comment = "# group ";
+
+/// The words for the groups of the elements that OBJ keeps, each for one number and name.
+class GroupWords {
+ public:
+  explicit GroupWords(const Document& document);
+  const std::string& word(int dim, std::int64_t group) const { return words_.at({dim, group}); }
+  /// Words whose numbers a comment must tell.
+  const std::vector<std::pair<std::string, std::int64_t>>& numbered() const { return numbered_; }
+  /// Whether the name comes back.
+  bool holds(const GroupName& name) const;
+
+ private:
+  std::map<std::pair<int, std::int64_t>, std::string> words_;
+  std::vector<std::pair<std::string, std::int64_t>> numbered_;
+};
 
 /// Numbers groups as they are used, and enters their names.
 class GroupNumbers {
  public:
   /// Before the start: a number that stands in the file.
   void take(std::int64_t number) { taken_.insert(number); }
+  /// Before the start: the number of a word.
+  void take(std::string_view word, std::int64_t number) {
+    if (numbers_.try_emplace(std::string(word), number).second) taken_.insert(number);
+  }
   /// From here on sets and names go into `document`.
   void start(Document& document) {
     document_ = &document;
@@ -36,6 +56,8 @@ class GroupNumbers {
   void set(std::vector<std::string> words) {
     words_ = std::move(words), cached_.fill(words_.empty() ? 0 : -1);
   }
+  /// The number of a word, which it gets if it has none.
+  std::int64_t number_of(const std::string& word);
   /// Their groups, for an element of dimension `dim`: a position in `tag_sets`.
   std::int32_t of(int dim) {
     std::int32_t& cached = cached_[static_cast<std::size_t>(dim)];

@@ -299,6 +299,7 @@ class Reader {
   void read_elements() {
     Document& document = source_.document;
     NodeIndex nodes(document);
+    if (!surface_) read_group_numbers();
     names_.start(document);
     texture_.used.resize(texture_.all.size()), normal_.used.resize(normal_.all.size());
     texture_.values.components = texture_.components, normal_.values.components = 3;
@@ -338,6 +339,22 @@ class Reader {
       } else {
         skip_statement(scanner);
       }
+    }
+  }
+
+  // Lines `# group NUMBER WORD`.
+  void read_group_numbers() {
+    const std::string_view bytes = file_.bytes();
+    for (std::size_t at = 0; (at = bytes.find(group_comment, at)) != bytes.npos;) {
+      const bool starts_line = at > 0 && (bytes[at - 1] == '\n' || bytes[at - 1] == '\r');
+      at += group_comment.size();
+      Scanner line(file_.path(), bytes, at);
+      const std::string_view text = line.rest_of_line();
+      const std::size_t blank = text.find(' ');
+      std::int64_t number;
+      if (starts_line && blank != text.npos && parse_integer(text.substr(0, blank), number) &&
+          blank + 1 < text.size() && text.find_first_of(" \t", blank + 1) == text.npos)
+        names_.take(text.substr(blank + 1), number);
     }
   }
 

@@ -147,7 +147,8 @@ struct Kept {
 
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document) : file_(file), document_(document), kept_(document) {}
+  Writer(AtomicFile& file, const Document& document)
+      : file_(file), document_(document), kept_(document), words_(document) {}
 
   void write() {
     write_title(file_, "#", title_in_lines(document_.title) ? document_.title : "");
@@ -158,6 +159,8 @@ class Writer {
     write_points();
     write_rows("vt", kept_.texture);
     write_rows("vn", kept_.normal);
+    for (const auto& [word, number] : words_.numbered())
+      file_.write(fmt::format("{}{} {}\n", group_comment, number, word));
     write_elements();
   }
 
@@ -199,7 +202,7 @@ class Writer {
     if (groups != groups_ && (block.groups != 0 || groups_.second != 0)) {
       std::string line = "g";
       for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(block.groups)])
-        line += " " + word(block.dim, group);
+        line.append(" ").append(words_.word(block.dim, group));
       file_.write(line + "\n");
     }
     groups_ = groups;
@@ -208,12 +211,6 @@ class Writer {
       smoothing_ = kept_.smoothing->integers[element];
       file_.write(smoothing_ == 0 ? "s off\n" : fmt::format("s {}\n", smoothing_));
     }
-  }
-
-  const std::string& word(int dim, std::int64_t group) {
-    const auto [place, is_new] = words_.try_emplace({dim, group});
-    if (is_new) place->second = group_word(document_, dim, group);
-    return place->second;
   }
 
   bool same_state(std::size_t a, std::size_t b) const {
@@ -233,7 +230,7 @@ class Writer {
         for (; e < block.count && same_state(first, block.first + e); ++e) {
           const Index* node =
               document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
-          if (nodes_exist(node, corners)) run.push_back({block.first + e, corners, node});
+          if (nodes_exist(node, block.nodes_each)) run.push_back({block.first + e, corners, node});
         }
         if (run.empty()) continue;
         say_state(block, first);
@@ -268,57 +265,8 @@ class Writer {
   const Kept kept_;
   std::int64_t object_ = -1, material_ = -1, smoothing_ = 0;
   std::pair<int, std::int32_t> groups_{2, 0};
-  std::map<std::pair<int, std::int64_t>, std::string> words_;
+  const GroupWords words_;
 };
-
-// What comes back of groups and names when the file is read.
-struct GroupsHeld {
-  std::vector<bool> blocks, names;
-
-  explicit GroupsHeld(const Document& document) : blocks(document.blocks.size(), true) {
-    std::map<std::pair<int, std::int64_t>, std::string> words;
-    std::vector<const ElementBlock*> written;
-    GroupNumbers numbers;
-    for (const ElementBlock& block : document.blocks) {
-      const int corners = corners_kept(block);
-      bool any = false;
-      for (std::size_t e = 0; e < block.count && corners > 0 && !any; ++e)
-        any = nodes_exist(
-            document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each),
-            corners);
-      if (!any) continue;
-      written.push_back(&block);
-      for (const std::int64_t group : document.tag_sets[static_cast<std::size_t>(block.groups)]) {
-        const auto [place, is_new] = words.try_emplace({block.dim, group});
-        if (is_new) place->second = group_word(document, block.dim, group);
-        if (const auto number = group_number(place->second)) numbers.take(*number);
-      }
-    }
-    Document read;
-    numbers.start(read);
-    for (const ElementBlock* block : written) {
-      const auto& groups = document.tag_sets[static_cast<std::size_t>(block->groups)];
-      std::vector<std::string> line;
-      for (const std::int64_t group : groups) line.push_back(words[{block->dim, group}]);
-      numbers.set(std::move(line));
-      const int dim = corners_kept(*block) == 1 ? 0 : corners_kept(*block) == 2 ? 1 : 2;
-      const std::int32_t set = numbers.of(dim);  // which may move tag_sets
-      blocks[static_cast<std::size_t>(block - document.blocks.data())] =
-          dim == block->dim && read.tag_sets[static_cast<std::size_t>(set)] == groups;
-    }
-    for (const GroupName& name : document.group_names)
-      names.push_back(
-          std::any_of(read.group_names.begin(), read.group_names.end(), [&](const GroupName& other) {
-            return other.dim == name.dim && other.group == name.group && other.name == name.name;
-          }));
-  }
-};
-
-template <class Item>
-bool flag_of(const std::vector<bool>& flags, const std::vector<Item>& items, const Item& item) {
-  const auto i = static_cast<std::size_t>(&item - items.data());
-  return i < flags.size() && flags[i];
-}
 
 }  // namespace
 
@@ -335,18 +283,9 @@ Holds obj_holds(const Document& document, bool) {
   holds.values = [held](const Values& values, Of) {
     return std::find(held.begin(), held.end(), &values) != held.end();
   };
-  const GroupsHeld groups(document);
-  const auto all = [](const std::vector<bool>& flags) {
-    return std::find(flags.begin(), flags.end(), false) == flags.end();
-  };
-  holds.groups = all(groups.blocks) ? Holds::Groups::all : Holds::Groups::none;
-  holds.group_names = all(groups.names);
-  holds.groups_of = [groups, &document](const ElementBlock& block) {
-    return flag_of(groups.blocks, document.blocks, block);
-  };
-  holds.name = [groups, &document](const GroupName& name) {
-    return flag_of(groups.names, document.group_names, name);
-  };
+  holds.groups = Holds::Groups::all;
+  const GroupWords words(document);
+  holds.name = [words](const GroupName& name) { return words.holds(name); };
   return holds;
 }
 

@@ -40,8 +40,8 @@ class Data {
     const std::size_t most =
         header_.text ? scanner_.remaining() / 2 + 1 : scanner_.remaining() / list.type->bytes;
     if (value > static_cast<double>(most))
-      fail(fmt::format("list '{}' announces {} entries, more than the {} bytes left can hold", list.name,
-                       value, scanner_.remaining()));
+      fail(fmt::format("list '{}' announces {} entries, more than the {} bytes left can hold",
+                       shown_name(list.name), value, scanner_.remaining()));
     return static_cast<std::size_t>(value);
   }
   /// Checks an element's count against what is left of the file before anybody believes it.
@@ -53,7 +53,7 @@ class Data {
     const std::size_t most = (scanner_.remaining() + header_.text) / least_bytes;
     if (static_cast<std::size_t>(element.count) > most)
       fail(fmt::format("element '{}' announces {} of at least {} bytes, more than the {} bytes left can hold",
-                       element.name, element.count, least_bytes, scanner_.remaining()));
+                       shown_name(element.name), element.count, least_bytes, scanner_.remaining()));
   }
   /// Where the next instance starts.
   std::size_t start_instance() {
@@ -69,7 +69,7 @@ class Data {
   void end(const PlyElement& last) {
     if (scanner_.at_end()) return;
     const std::string expected =
-        fmt::format("the end of the file after {} of element '{}'", last.count, last.name);
+        fmt::format("the end of the file after {} of element '{}'", last.count, shown_name(last.name));
     if (!header_.text) fail(fmt::format("expected {}, found {} more bytes", expected, scanner_.remaining()));
     const std::string_view found = scanner_.word();
     scanner_.fail(expected, found);

@@ -15,18 +15,16 @@ namespace tetproof::io {
 /// back to fill it in); otherwise text: any number of solids, keywords in any case, names and `endsolid` may
 /// be missing, normals may be anything. Coordinates of the text form are read as doubles.
 ///
-/// Equal corners become one node (io/weld.hpp). Text: each solid is a physical group with its name, or
-/// where that is a whole number with this number; a single solid without a name is none. Binary: the header
-/// without blanks and zeros around it is the title; attributes, if any is not 0, are values of elements
-/// "attribute". Normals are not kept, but a warning says how many stand against the order of the corners.
-/// Throws InputError.
+/// Equal corners become one node (io/weld.hpp). Text: each solid is a physical group, see io/stl_solids.hpp.
+/// Binary: the header without blanks and zeros around it is the title; attributes, if any is not 0, are
+/// values of elements "attribute". Normals are not kept, but a warning says how many stand against the order
+/// of the corners. Throws InputError.
 SurfaceDocument read_stl(const InputFile& file, Wanted wanted);
 
 /// STL: triangles of any order by their corners, and planar and convex polygons as fans of triangles
 /// (io/polygons.hpp), but for those that name nodes which do not exist. Binary: coordinates are rounded to
 /// float32, in which one too large becomes infinite; title and "attribute" as they are read. Text, exact: a
-/// solid for each run of elements with the same groups, called by the name of the first of these, or its
-/// number.
+/// solid for each run of elements with the same groups, which tells the first of them.
 void write_stl(AtomicFile& file, const Document& document, bool binary);
 
 Holds stl_holds(const Document& document, bool binary);

@@ -6,12 +6,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "io/byte_order.hpp"
 #include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/stl.hpp"
-#include "io/stl_header.hpp"
+#include "io/stl_solids.hpp"
 #include "io/tag_sets.hpp"
 #include "io/weld.hpp"
 
@@ -63,7 +64,7 @@ class Reader {
 
  private:
   struct Solid {
-    std::string name;
+    std::string line;  // what stands behind "solid"
     std::size_t facets = 0;
   };
 
@@ -131,7 +132,7 @@ class Reader {
         read_facet(scanner, place);
         ++solids_.back().facets;
       } else if (same_word(word, "solid")) {
-        solids_.push_back({std::string(stl_title(scanner.rest_of_line())), 0});
+        solids_.push_back({stl_title(scanner.rest_of_line()), 0});
       } else if (same_word(word, "endsolid")) {
         scanner.rest_of_line();  // its name again, or none
       } else {
@@ -153,18 +154,19 @@ class Reader {
           fmt::format("{}: {} facets, at most 715827882 can be numbered", file_.path(), points_.size() / 3));
     document_.connectivity = weld(points_);
     document_.points = std::move(points_);
-    std::vector<std::string> names;
-    for (const Solid& solid : solids_) names.push_back(solid.name);
-    const std::vector<std::int64_t> groups = groups_of_solids(names);
+    std::vector<std::string> lines;
+    for (const Solid& solid : solids_) lines.push_back(solid.line);
+    const std::vector<StlGroup> groups = groups_of_solids(lines);
     TagSets sets(document_);
+    std::set<std::pair<std::int64_t, std::string>> named;
     std::size_t first = 0;
     for (std::size_t s = 0; s < solids_.size(); ++s) {
-      if (!names[s].empty() && !group_number(names[s]))
-        document_.group_names.push_back({2, groups[s], names[s]});
+      if (!groups[s].name.empty() && named.insert({groups[s].number, groups[s].name}).second)
+        document_.group_names.push_back({2, groups[s].number, groups[s].name});
       if (solids_[s].facets == 0) continue;
       document_.blocks.push_back({.type = triangle3,
                                   .dim = 2,
-                                  .groups = groups[s] == 0 ? 0 : sets({groups[s]}),
+                                  .groups = groups[s].number == 0 ? 0 : sets({groups[s].number}),
                                   .nodes_each = 3,
                                   .count = solids_[s].facets,
                                   .first = first,

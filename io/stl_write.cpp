@@ -6,13 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 
 #include "io/byte_order.hpp"
 #include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/polygons.hpp"
 #include "io/stl.hpp"
-#include "io/stl_header.hpp"
+#include "io/stl_solids.hpp"
 #include "io/surface_lines.hpp"
 
 namespace tetproof::io {
@@ -25,7 +26,7 @@ struct Facet {
 
 // The facets of a solid.
 struct Solid {
-  std::string name;
+  StlGroup group;
   std::vector<Facet> facets;
 };
 
@@ -56,19 +57,12 @@ void add_fan(std::vector<Facet>& facets, const std::vector<Eigen::Vector3d>& poi
         {{face.nodes[start], face.nodes[(start + i) % n], face.nodes[(start + i + 1) % n]}, face.element});
 }
 
-std::string name_of(const Document& document, const ElementBlock& block) {
+StlGroup group_of(const Document& document, const ElementBlock& block) {
   const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
   if (groups.empty()) return {};
   for (const GroupName& name : document.group_names)
-    if (name.dim == block.dim && name.group == groups[0] && !name.name.empty()) return name.name;
-  return fmt::format("{}", groups[0]);
-}
-
-// In one line, without blanks around it.
-std::string line_of(std::string name) {
-  for (char& c : name)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return stl_title(name);
+    if (name.dim == block.dim && name.group == groups[0]) return {name.name, groups[0]};
+  return {"", groups[0]};
 }
 
 bool new_solid(const ElementBlock& last, const ElementBlock& block) {
@@ -81,11 +75,11 @@ std::vector<Solid> solids_of(const Document& document) {
   for (const ElementBlock& block : document.blocks) {
     const int corners = corners_kept(block);
     if (corners < 3 || block.count == 0) continue;
-    if (!last || new_solid(*last, block)) solids.push_back({name_of(document, block), {}});
+    if (!last || new_solid(*last, block)) solids.push_back({group_of(document, block), {}});
     last = &block;
     const Index* node = document.connectivity.data() + block.nodes;
     for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
-      if (nodes_exist(node, corners))
+      if (nodes_exist(node, block.nodes_each))
         add_fan(solids.back().facets, document.points, {block.first + e, corners, node});
   }
   return solids;
@@ -138,8 +132,8 @@ void write_binary(AtomicFile& file, const Document& document, const std::vector<
     });
 }
 
-void write_solid(AtomicFile& file, const std::vector<Eigen::Vector3d>& points, const Solid& solid) {
-  std::string name = line_of(solid.name);
+void write_solid(AtomicFile& file, const std::vector<Eigen::Vector3d>& points, const Solid& solid,
+                 std::string name) {
   if (!name.empty()) name.insert(name.begin(), ' ');
   file.write(fmt::format("solid{}\n", name));
   write_items(file, solid.facets.size(), 512, [&](std::size_t i, char* to) {
@@ -161,7 +155,10 @@ void write_stl(AtomicFile& file, const Document& document, bool binary) {
   std::vector<Solid> solids = solids_of(document);
   if (binary) return write_binary(file, document, solids);
   if (solids.empty()) solids.emplace_back();
-  for (const Solid& solid : solids) write_solid(file, document.points, solid);
+  std::vector<StlGroup> groups;
+  for (const Solid& solid : solids) groups.push_back(solid.group);
+  const std::vector<std::string> lines = lines_of_groups(groups);
+  for (std::size_t s = 0; s < solids.size(); ++s) write_solid(file, document.points, solids[s], lines[s]);
 }
 
 Holds stl_holds(const Document& document, bool binary) {
@@ -177,40 +174,14 @@ Holds stl_holds(const Document& document, bool binary) {
   const Values* attributes = binary && all ? attributes_of(document) : nullptr;
   holds.values = [attributes](const Values& values, Of) { return &values == attributes; };
 
-  std::vector<bool> groups(document.blocks.size(), true), names(document.group_names.size(), false);
-  std::vector<std::string> solids{""};
-  if (!binary) {
-    solids.clear();
-    for (const Solid& solid : solids_of(document)) solids.push_back(line_of(solid.name));
-  }
-  const std::vector<std::int64_t> numbers = groups_of_solids(solids);
-  std::size_t s = 0;
-  const ElementBlock* last = nullptr;
-  for (std::size_t b = 0; b < document.blocks.size(); ++b) {
-    const ElementBlock& block = document.blocks[b];
-    if (corners_kept(block) < 3 || block.count == 0) continue;
-    if (!binary && last && new_solid(*last, block)) ++s;
-    last = &block;
-    const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
-    groups[b] = numbers[s] == 0 ? set.empty() : set == std::vector<std::int64_t>{numbers[s]};
-    if (numbers[s] == 0 || group_number(solids[s])) continue;
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      const GroupName& given = document.group_names[n];
-      if (given.dim == 2 && given.group == numbers[s] && given.name == solids[s]) names[n] = true;
-    }
-  }
-  const auto whole = [](const std::vector<bool>& flags) {
-    return std::find(flags.begin(), flags.end(), false) == flags.end();
-  };
-  holds.groups = whole(groups) ? Holds::Groups::all : Holds::Groups::none;
-  holds.group_names = whole(names);
-  holds.groups_of = [groups, &document](const ElementBlock& block) {
-    const auto i = static_cast<std::size_t>(&block - document.blocks.data());
-    return i < groups.size() && groups[i];
-  };
-  holds.name = [names, &document](const GroupName& name) {
-    const auto i = static_cast<std::size_t>(&name - document.group_names.data());
-    return i < names.size() && names[i];
+  if (binary) return holds;
+  holds.groups = Holds::Groups::first;
+  std::set<std::pair<std::int64_t, std::string>> names;
+  for (const Solid& solid : solids_of(document))
+    if (!solid.facets.empty() && !solid.group.name.empty())
+      names.insert({solid.group.number, solid.group.name});
+  holds.name = [names](const GroupName& name) {
+    return name.dim == 2 && names.count({name.group, name.name}) > 0;
   };
   return holds;
 }

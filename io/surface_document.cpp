@@ -43,6 +43,12 @@ void check_countable(const std::string& path, std::size_t points) {
     throw InputError(fmt::format("{}: {} points, at most 2147483647 can be numbered", path, points));
 }
 
+std::string shown_name(std::string_view name) {
+  std::string text;
+  for (const char c : name.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (name.size() > 40 ? "..." : "");
+}
+
 int corners_kept(const ElementBlock& block) {
   if (block.type == polygon) return block.nodes_each >= 3 ? block.nodes_each : 0;
   const ElementType* type = element_type(block.type);

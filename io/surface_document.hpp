@@ -44,6 +44,9 @@ void add_element(Document& document, std::span<const Index> nodes, std::int32_t 
 /// InputError if there are more points than an Index can number.
 void check_countable(const std::string& path, std::size_t points);
 
+/// A name as a message shows it: printable, and not a page of it.
+std::string shown_name(std::string_view name);
+
 /// How many nodes of each element of a block a file of points and polygons keeps: its corners; 0 for what is
 /// neither point, line nor face.
 int corners_kept(const ElementBlock& block);

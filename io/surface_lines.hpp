@@ -50,7 +50,7 @@ void for_each_kept(const Document& document, const Each& each) {
     if (corners == 0) continue;
     const Index* node = document.connectivity.data() + block.nodes;
     for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
-      if (nodes_exist(node, corners)) each(KeptElement{block.first + e, corners, node});
+      if (nodes_exist(node, block.nodes_each)) each(KeptElement{block.first + e, corners, node});
   }
 }
 
