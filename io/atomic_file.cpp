@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,6 +29,15 @@ AtomicFile::~AtomicFile() {
   if (!file_) return;
   std::fclose(file_);
   if (beside_ != path_) std::remove(beside_.c_str());
+}
+
+void AtomicFile::expect([[maybe_unused]] std::size_t bytes) {
+#ifdef FALLOC_FL_KEEP_SIZE
+  // Else ext4 looks for room only when the file takes the place of another one, and has us wait for it. Where
+  // this cannot be done, writing says what is wrong, if anything.
+  if (bytes > 0)
+    static_cast<void>(::fallocate(::fileno(file_), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)));
+#endif
 }
 
 void AtomicFile::write(std::string_view bytes) {

@@ -18,6 +18,8 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// That at least so many bytes will be written: a disk that has them ready takes them faster.
+  void expect(std::size_t bytes);
   void write(std::string_view bytes);
   /// The CRC-32 of what was written since `keep_checksum`, which comes before the first byte.
   void keep_checksum() { keeps_checksum_ = true; }
