@@ -5,12 +5,12 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "io/checksum.hpp"
 #include "io/error.hpp"
 
 namespace tetproof {
@@ -41,10 +41,12 @@ void AtomicFile::expect([[maybe_unused]] std::size_t bytes) {
 }
 
 void AtomicFile::write(std::string_view bytes) {
+  write(bytes, keeps_checksum_ ? io::crc32_of(bytes) : 0);
+}
+
+void AtomicFile::write(std::string_view bytes, std::uint32_t crc32) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
-  if (keeps_checksum_)
-    checksum_ = static_cast<std::uint32_t>(
-        ::crc32_z(checksum_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  if (keeps_checksum_) checksum_ = io::crc32_joined(checksum_, crc32, bytes.size());
 }
 
 void AtomicFile::commit() {

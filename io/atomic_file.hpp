@@ -21,8 +21,11 @@ class AtomicFile {
   /// That at least so many bytes will be written: a disk that has them ready takes them faster.
   void expect(std::size_t bytes);
   void write(std::string_view bytes);
+  /// The same for those who have taken their CRC-32 already, where `keeps_checksum`.
+  void write(std::string_view bytes, std::uint32_t crc32);
   /// The CRC-32 of what was written since `keep_checksum`, which comes before the first byte.
   void keep_checksum() { keeps_checksum_ = true; }
+  bool keeps_checksum() const { return keeps_checksum_; }
   std::uint32_t checksum() const { return checksum_; }
   void commit();
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "io/element_types.hpp"
+#include "io/checksum.hpp"
 #include "io/error.hpp"
 #include "io/msh.hpp"
 #include "io/msh_data.hpp"
@@ -243,7 +244,7 @@ class Reader {
   void take_back_supplement() {
     const std::vector<Checksum> checksums = read_supplement_head(supplement_, document_);
     if (checksums.empty()) return;
-    if (checksums.size() == 1 && crc32_of(native_part_) == checksums[0].crc32)
+    if (checksums.size() == 1 && crc32_of(file_, native_part_.size()) == checksums[0].crc32)
       take_back(supplement_, document_.path + ": section $TetproofSupplement", document_);
     else
       document_.warnings.push_back(outdated_supplement(document_.path));

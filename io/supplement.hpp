@@ -18,7 +18,6 @@ struct Checksum {
   std::string ending;       ///< of another file of the set; empty: this file, up to the supplement
   std::uint32_t crc32 = 0;  ///< as zlib has it
 };
-std::uint32_t crc32_of(std::string_view bytes);
 
 /// Lines of printable ASCII without `$` and `#`, none longer than 1000 bytes, each ending in LF: everything
 /// that `holds` says the native part lacks. Empty if it lacks nothing.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "io/checksum.hpp"
 #include "io/input_file.hpp"
 #include "io/supplement.hpp"
 
@@ -11,19 +12,28 @@ namespace {
 
 constexpr std::string_view start_of_line = "#: ", first_line = "#: tetproof ";
 
-// Where the first line of the supplement begins; npos if there is none.
+// Where the first line of the supplement begins, which has nothing but comments behind it; npos if there is
+// none. What stands before is not looked at.
 std::size_t find_start(std::string_view bytes) {
-  std::size_t start = bytes.rfind(first_line);
-  while (start != bytes.npos && start > 0 && bytes[start - 1] != '\n')
-    start = bytes.rfind(first_line, start - 1);
-  return start;
+  for (std::size_t end = bytes.size(); end > 0;) {
+    const std::size_t feed = bytes.substr(0, end - 1).rfind('\n');
+    const std::size_t start = feed == bytes.npos ? 0 : feed + 1;
+    const std::string_view line = bytes.substr(start, end - start);
+    if (line.starts_with(first_line)) return start;
+    if (line.find_first_not_of(" \t\r\n") != line.find('#')) break;
+    end = start;
+  }
+  return bytes.npos;
 }
 
-bool is_unchanged(const Checksum& checksum, std::string_view this_file, const std::string& stem) {
-  if (checksum.ending.empty()) return crc32_of(this_file) == checksum.crc32;
+bool is_unchanged(const Checksum& checksum, const InputFile& this_file, std::size_t size,
+                  const std::string& stem) {
+  if (checksum.ending.empty()) return crc32_of(this_file, size) == checksum.crc32;
   const std::string path = stem + checksum.ending;
   struct stat about {};
-  return ::stat(path.c_str(), &about) == 0 && crc32_of(InputFile(path).bytes()) == checksum.crc32;
+  if (::stat(path.c_str(), &about) != 0) return false;
+  const InputFile file(path);
+  return crc32_of(file, file.bytes().size()) == checksum.crc32;
 }
 
 }  // namespace
@@ -50,7 +60,6 @@ void take_back_comments(const std::string& file, const std::string& stem, Docume
   std::string_view bytes = input.bytes();
   const std::size_t start = find_start(bytes);
   if (start == bytes.npos) return;
-  const std::string_view before = bytes.substr(0, start);
   bytes.remove_prefix(start);
   std::string lines;
   while (bytes.starts_with(start_of_line)) {
@@ -61,7 +70,8 @@ void take_back_comments(const std::string& file, const std::string& stem, Docume
   const std::vector<Checksum> checksums = read_supplement_head(lines, native);
   if (checksums.empty()) return;
   bool unchanged = bytes.empty();
-  for (const Checksum& checksum : checksums) unchanged = unchanged && is_unchanged(checksum, before, stem);
+  for (const Checksum& checksum : checksums)
+    unchanged = unchanged && is_unchanged(checksum, input, start, stem);
   if (unchanged)
     take_back(lines, file, native);
   else

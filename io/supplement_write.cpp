@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <zlib.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -116,11 +114,6 @@ void put_all_values(Encoder& out, std::string_view name, const std::vector<Value
 }
 
 }  // namespace
-
-std::uint32_t crc32_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
-}
 
 std::string supplement_of(const Document& document, const Holds& holds) {
   if (holds.kept_in.empty() || unheld(document, holds).empty()) return {};

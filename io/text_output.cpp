@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "io/checksum.hpp"
 #include "io/large_pages.hpp"
 
 namespace tetproof::io {
@@ -16,25 +17,27 @@ void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t room = std::min(chunks, 2 * threads + 2);  // chunks that are in work at once
   const Scratch memory(room * longest);
-  if (chunks == 1) {  // the many short lists of some files are not worth a thread
-    file.write({memory.data(), format(0, memory.data())});
-    return;
-  }
+  struct Formatted {
+    std::string_view bytes;
+    std::uint32_t crc32 = 0;
+  };
+  const auto formatted = [&](std::size_t c) {
+    char* const to = memory.data() + c % room * longest;
+    const std::string_view bytes(to, format(c, to));
+    return Formatted{bytes, file.keeps_checksum() ? crc32_of(bytes) : 0};
+  };
+  const auto write = [&](const Formatted& chunk) { file.write(chunk.bytes, chunk.crc32); };
+  if (chunks == 1) return write(formatted(0));  // the many short lists of some files are not worth a thread
   std::size_t next = 0;
-  tbb::parallel_pipeline(
-      room, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                                [&](tbb::flow_control& control) {
-                                                  if (next == chunks) control.stop();
-                                                  return next++;
-                                                }) &
-                tbb::make_filter<std::size_t, std::string_view>(tbb::filter_mode::parallel,
-                                                                [&](std::size_t c) {
-                                                                  char* const to =
-                                                                      memory.data() + c % room * longest;
-                                                                  return std::string_view(to, format(c, to));
-                                                                }) &
-                tbb::make_filter<std::string_view, void>(tbb::filter_mode::serial_in_order,
-                                                         [&](std::string_view bytes) { file.write(bytes); }));
+  const auto chunk_numbers = [&](tbb::flow_control& control) {
+    if (next == chunks) control.stop();
+    return next++;
+  };
+  using tbb::filter_mode;
+  tbb::parallel_pipeline(room,
+                         tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, chunk_numbers) &
+                             tbb::make_filter<std::size_t, Formatted>(filter_mode::parallel, formatted) &
+                             tbb::make_filter<Formatted, void>(filter_mode::serial_in_order, write));
 }
 
 }  // namespace tetproof::io
