@@ -10,6 +10,7 @@
 
 #include "io/document_fields.hpp"
 #include "io/error.hpp"
+#include "io/large_pages.hpp"
 #include "io/supplement.hpp"
 
 namespace tetproof::io {
@@ -260,7 +261,7 @@ class Joiner {
     }
     if (!as_it_is) {
       std::vector<Index> connectivity;
-      connectivity.reserve(nodes);
+      reserve_in_large_pages(connectivity, nodes);
       for (std::size_t b = 0; b < all.size(); ++b) {
         const std::size_t size = blocks[b].count * static_cast<std::size_t>(blocks[b].nodes_each);
         const Index* from = all[b].native ? native_.connectivity.data() + source_[b] : all[b].listed.data();
