@@ -10,6 +10,7 @@
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
+#include "io/tetgen.hpp"
 
 namespace {
 
@@ -58,6 +59,9 @@ int convert(const Choices& choices, const program::Common& common) {
     program::say(common,
                  fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
   const bool refused = choices.strict && !lost.empty();
+  const bool tetgens = target.format == "tetgen" || target.format == "poly" || target.format == "smesh";
+  const std::string left = tetgens && !refused ? io::tetgen_left_over(choices.out, document, target.format) : "";
+  if (!left.empty()) program::say(common, "warning: " + left);
   if (!refused) write_document(choices.out, document, write);
   result["output"] = {
       {"file", choices.out}, {"format", target.format}, {"binary", target.binary}, {"written", !refused}};
@@ -94,8 +98,9 @@ int main(int argc, char** argv) {
         auto choices = std::make_shared<Choices>();
         app.add_option(
                "IN", choices->in,
-               fmt::format("a mesh or a surface: .msh .node .ele .stl .off .obj .ply; through Gmsh: {}",
-                           fmt::join(io::gmsh_endings(), " ")))
+               fmt::format(
+                   "a mesh or a surface: .msh .node .ele .poly .smesh .stl .off .obj .ply; through Gmsh: {}",
+                   fmt::join(io::gmsh_endings(), " ")))
             ->required();
         app.add_option("OUT", choices->out, "the file to write; its ending says the format");
         app.add_option("--to", choices->write.format, "the format, when OUT's ending does not tell: " + names)

@@ -42,7 +42,8 @@ struct Holds {
   enum class Groups { none, first, all } groups = Groups::none;
   bool group_names = false, partitions = false, partition_count = false, ghosts = false, parameters = false,
        periodic = false;
-  bool boundary = false;  ///< that elements are polygons of what to mesh, not of the mesh
+  bool boundary = false;        ///< that elements are polygons of what to mesh, not of the mesh
+  bool makes_boundary = false;  ///< that they come back as such polygons if they are none
   bool facets = false, holes = false, regions = false, bounds = false, voronoi = false, tables = false,
        title = false;
 

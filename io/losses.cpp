@@ -306,6 +306,11 @@ class Lister {
       for (const Written& written : written_.blocks())
         if (written.block->of_boundary)
           add("elements as polygons of the boundary to mesh", written.count, element(*written.block));
+    if (holds_.makes_boundary)
+      for (const Written& written : written_.blocks())
+        if (!written.block->of_boundary && written.block->dim == 2)
+          add("elements as faces of a mesh, not polygons of a boundary to mesh", written.count,
+              element(*written.block));
     if (!holds_.facets && !document_.facets.empty())
       add("facets of several polygons or with holes", document_.facets.size(),
           fmt::format("element {}", document_.element_tag(document_.facets[0].first)));

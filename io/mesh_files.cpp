@@ -40,11 +40,6 @@ const Format* format_with(const std::string& ending) {
   return nullptr;
 }
 
-std::string tetgen_stem(const std::string& path) {
-  const std::string ending = ending_of(path);
-  return ending == ".node" || ending == ".ele" ? path.substr(0, path.size() - ending.size()) : path;
-}
-
 // A format, and who reads and writes it.
 struct Codec {
   Format format;
@@ -117,14 +112,27 @@ const std::vector<Codec>& codecs() {
        }},
       {{.name = "tetgen",
         .what = "TetGen .node and .ele",
-        .endings = {".node", ".ele"},
+        .endings = {".node", ".ele", ".face", ".edge", ".neigh", ".vol", ".mtr", ".var", ".t2f", ".t2e",
+                    ".f2e", ".cell"},
         .reads = true,
         .binary = false},
-       [](const std::string& path) { return io::read_tetgen(tetgen_stem(path), ending_of(path) == ".ele"); },
+       io::read_tetgen,
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
-         io::write_tetgen(tetgen_stem(path), document, supplement);
+         io::write_tetgen(path, document, supplement);
        },
        [](const std::string&, const Document& document, bool) { return io::tetgen_holds(document); }},
+      {{.name = "poly", .what = "TetGen .poly", .endings = {".poly"}, .reads = true, .binary = false},
+       io::read_tetgen,
+       [](const std::string& path, const Document& document, bool, const std::string& supplement) {
+         io::write_poly(path, document, supplement);
+       },
+       [](const std::string&, const Document& document, bool) { return io::poly_holds(document); }},
+      {{.name = "smesh", .what = "TetGen .smesh", .endings = {".smesh"}, .reads = true, .binary = false},
+       io::read_tetgen,
+       [](const std::string& path, const Document& document, bool, const std::string& supplement) {
+         io::write_smesh(path, document, supplement);
+       },
+       [](const std::string&, const Document& document, bool) { return io::smesh_holds(document); }},
       {{.name = "vtu", .what = "VTK XML unstructured grid", .endings = {".vtu"}, .usually_binary = true},
        nullptr,
        write_one_file<io::write_vtu>,

@@ -284,9 +284,13 @@ class Joiner {
         in_(values.reals, values.integers);
         continue;
       }
-      next = std::find_if(next, all.end(), [&](const Values& v) {
+      const auto is_it = [&](const Values& v) {
         return v.name == values.name && v.components == values.components;
-      });
+      };
+      next = std::find_if(next, all.end(), is_it);
+      if (next == all.end())  // the document had them in another order
+        next =
+            std::find_if(all.begin(), all.end(), [&](const Values& v) { return is_it(v) && v.size() > 0; });
       if (next == all.end()) in_.fail(fmt::format("the file has no values \"{}\"", values.name));
       values.reals = std::move(next->reals);
       values.integers = std::move(next->integers);

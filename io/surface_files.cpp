@@ -17,6 +17,7 @@
 #include "io/ply.hpp"
 #include "io/polygons.hpp"
 #include "io/stl.hpp"
+#include "io/tetgen.hpp"
 
 namespace tetproof {
 namespace {
@@ -84,7 +85,7 @@ SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
   if (format == "off") return read_off(file, wanted);
   if (format == "obj") return read_obj(file, wanted);
   if (format == "ply") return read_ply(file, wanted);
-  fail_unknown(file.path(), ending_of(file.path()), ".stl, .off, .obj, .ply or .msh");
+  fail_unknown(file.path(), ending_of(file.path()), ".stl, .off, .obj, .ply, .poly, .smesh or .msh");
 }
 
 void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
@@ -99,6 +100,7 @@ void write_surface_document(AtomicFile& file, const Document& document, const st
 
 TriangleSurface read_surface(const std::string& path) {
   if (ending_of(path) == "msh") return io::welded_surface(read_document(path));
+  if (ending_of(path) == "poly" || ending_of(path) == "smesh") return io::read_tetgen_surface(path);
   const InputFile file(path);
   return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
 }

@@ -2,307 +2,194 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
+#include <memory>
 #include <optional>
 
 #include "io/error.hpp"
-#include "io/input_file.hpp"
 #include "io/large_pages.hpp"
-#include "io/node_index.hpp"
-#include "io/plain_lines.hpp"
+#include "io/polygons.hpp"
 #include "io/supplement.hpp"
 #include "io/tetgen.hpp"
+#include "io/tetgen_parts.hpp"
+#include "io/tetgen_set.hpp"
 
 namespace tetproof::io {
 namespace {
 
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
-bool is_separator(char c) {
-  return c == ' ' || c == '\t' || c == ',' || c == '\v' || c == '\f';
-}
-
-// Records of one line each, of words between blanks and commas; from # on a line is a comment.
-class Records {
- public:
-  Records(const InputFile& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {
-    at_ = file.bytes().data();
-    end_ = at_ + file.bytes().size();
-  }
-
-  std::size_t remaining() const { return end_ - at_; }
-
-  // To the first word of the next record; false at the end of the file.
-  bool next() {
-    if (started_) skip_line();
-    started_ = true;
-    while (!more() && at_ < end_) skip_line();
-    return at_ < end_;
-  }
-
-  // Whether the record has another word.
-  bool more() {
-    while (at_ < end_ && is_separator(*at_)) ++at_;
-    return at_ < end_ && !is_line_end(*at_) && *at_ != '#';
-  }
-
-  std::int64_t integer(const char* expected) {
-    if (!more()) fail_missing(expected);
-    std::uint64_t value = 0;  // wraps round harmlessly where there are too many digits
-    const char* c = at_;
-    for (unsigned digit; c < end_ && (digit = static_cast<unsigned char>(*c) - '0') < 10; ++c)
-      value = 10 * value + digit;
-    const bool plain =
-        c > at_ && c - at_ <= 18 && (*at_ != '0' || c == at_ + 1) && (c == end_ || ends_word(*c));
-    if (!plain) return unusual_integer(expected);
-    at_ = c;
-    return static_cast<std::int64_t>(value);
-  }
-
-  double real(const char* expected) {
-    if (!more()) fail_missing(expected);
-    double value;
-    const auto [c, error] = std::from_chars(at_, end_, value);
-    if (error == std::errc() && (c == end_ || ends_word(*c))) {
-      at_ = c;
-      return value;
-    }
-    const std::string_view text = word();
-    if (!parse_real(text, value)) fail(expected, text);
-    return value;
-  }
-
-  // Where the line after the current one begins.
-  std::size_t next_line() {
-    skip_line();
-    started_ = false;
-    return static_cast<std::size_t>(at_ - file_.bytes().data());
-  }
-
-  [[noreturn]] void fail(std::string_view message) const { here().fail_in_line(message); }
-
- private:
-  static bool ends_word(char c) { return is_separator(c) || is_line_end(c) || c == '#'; }
-
-  std::string_view word() {
-    const char* const start = at_;
-    while (at_ < end_ && !ends_word(*at_)) ++at_;
-    return {start, static_cast<std::size_t>(at_ - start)};
-  }
-
-  // TetGen reads integers as C source does: 0x10 is sixteen, 010 is eight.
-  std::int64_t unusual_integer(const char* expected) {
-    const std::string_view text = word();
-    std::string_view digits = text;
-    const bool negative = !digits.empty() && digits[0] == '-';
-    if (negative || (!digits.empty() && digits[0] == '+')) digits.remove_prefix(1);
-    int base = 10;
-    if (digits.size() > 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')) {
-      base = 16;
-      digits.remove_prefix(2);
-    } else if (digits.size() > 1 && digits[0] == '0') {
-      base = 8;
-    }
-    std::uint64_t value = 0;
-    const auto [c, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
-    if (error != std::errc() || c != digits.data() + digits.size() || digits.empty() ||
-        value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
-      fail(expected, text);
-    if (base != 10 && !warned_) {
-      warned_ = true;
-      warnings_.push_back(
-          fmt::format("{}:{}: {} is {} to TetGen, which reads integers as C does (the first such)",
-                      file_.path(), here().line(), text, value));
-    }
-    return negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
-  }
-
-  void skip_line() {
-    while (at_ < end_ && !is_line_end(*at_)) ++at_;
-    if (at_ < end_ && *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n') ++at_;
-    if (at_ < end_) ++at_;
-  }
-
-  Scanner here() const {
-    return Scanner(file_.path(), file_.bytes(), static_cast<std::size_t>(at_ - file_.bytes().data()));
-  }
-  [[noreturn]] void fail(const char* expected, std::string_view found) const { here().fail(expected, found); }
-  [[noreturn]] void fail_missing(const char* expected) const {
-    if (at_ >= end_) here().fail(expected, {});
-    fail(fmt::format("expected {}, found the end of the line", expected));
-  }
-
-  const InputFile& file_;
-  std::vector<std::string>& warnings_;
-  const char *at_, *end_;
-  bool started_ = false, warned_ = false;
+// A member of the set that is there, with its records.
+struct Member {
+  InputFile file;
+  Records in;
+  Member(const std::string& path, Document& document) : file(path), in(file, document.warnings) {}
 };
 
-void check_count(const Records& in, std::int64_t count, const char* what, std::int64_t least_bytes_each) {
-  if (count < 0) in.fail(fmt::format("expected {}, found {}", what, count));
-  if (count > static_cast<std::int64_t>(in.remaining()) / least_bytes_each + 1)
-    in.fail(fmt::format("expected {}, found {}, more than the {} bytes left can hold", what, count,
-                        in.remaining()));
-}
+class SetReader {
+ public:
+  SetReader(const TetgenPath& set, Document& document) : set_(set), document_(document) {}
 
-// Attributes may be missing in their lines, but not nearly all of them.
-Values attributes(const Records& in, std::int64_t items, std::int64_t each) {
-  if (each > 0) check_count(in, each, "the number of attributes", 1);
-  if (each > 0 && items > 0 && each > static_cast<std::int64_t>(in.remaining()) / items + 4)
-    in.fail(fmt::format(
-        "expected the number of attributes, found {}, more than the {} bytes left can hold for {} lines",
-        each, in.remaining(), items));
-  Values values{.name = "attributes", .components = static_cast<int>(each), .reals = {}, .integers = {}};
-  values.reals.assign(static_cast<std::size_t>(items) * each, 0.0);
-  return values;
-}
+  void mesh() {
+    const bool voronoi = file_exists(set_.stem + ".v.cell") || set_.ending.starts_with(".v.");
+    if (set_.ending.starts_with(".v.") && !file_exists(set_.stem + ".node"))
+      return read_voronoi(set_.stem, document_);
+    const auto ele = open(".ele"), face = open(".face"), edge = open(".edge");
+    if (!ele && !face && !edge)
+      document_.warnings.push_back(
+          fmt::format("{}.node: there is no {}.ele beside it: nodes only", set_.stem, set_.stem));
+    read_node_file(set_.member(".node"), document_);
+    NodeIndex index(document_);
+    elements(ele.get(), face.get(), edge.get(), index);
 
-// Nodes whose every line is plain; false where one is not.
-bool read_plain_nodes(const InputFile& file, std::size_t offset, bool marked, Document& document,
-                      Values& values, Values& markers) {
-  const std::size_t count = document.points.size();
-  const auto each = static_cast<std::size_t>(values.components);
-  if (count < least_plain_lines) return false;
-  std::int64_t first = -1;
-  if (PlainLine line(file.bytes().data() + offset, file.bytes().data() + file.bytes().size());
-      !line.integer(first) || first < 0 || first > 1)
+    integers(".neigh", tets_, ".ele", "tetrahedra", "neighbours", 4, true);
+    integers(".t2f", tets_, ".ele", "tetrahedra", "faces", 4, false);
+    integers(".t2e", tets_, ".ele", "tetrahedra", "edges", 6, false);
+    integers(".f2e", faces_, ".face", "faces", "edges", 3, false);
+    if (const auto vol = open(".vol"); vol && has(tets_, ".vol", ".ele"))
+      read_volume_bounds(vol->in, tets_, document_);
+    fields(set_.member(".node"), index);
+    if (voronoi) read_voronoi(set_.stem, document_);
+    take_back_comments(set_.member(".node"), set_.stem, document_);
+  }
+
+  // As TetGen does with its switch -p.
+  void plc(std::vector<std::size_t>* places) {
+    const bool smesh = set_.ending == ".smesh";
+    if (smesh && file_exists(set_.stem + ".poly"))
+      document_.warnings.push_back(
+          fmt::format("{}: there is {}.poly too, which TetGen would read instead", set_.path, set_.stem));
+    const auto named = open(set_.ending);
+    const bool points_elsewhere = read_plc(named->in, set_.stem + ".node", smesh, document_, places);
+    NodeIndex index(document_);
+    if (const auto edge = open(".edge")) {
+      const TetgenElementFile file = read_edge_header(edge->in, 4);
+      read_elements(edge->in, file, index, document_);
+    }
+    fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
+    take_back_comments(set_.path, set_.stem, document_);
+  }
+
+ private:
+  std::unique_ptr<Member> open(const std::string& ending) const {
+    const std::string path = set_.member(ending);
+    if (ending != set_.ending && !file_exists(path)) return nullptr;
+    return std::make_unique<Member>(path, document_);
+  }
+
+  // All headers first: they tell how much room is needed.
+  void elements(Member* ele, Member* face, Member* edge, NodeIndex& index) {
+    std::optional<TetgenElementFile> ele_file, face_file, edge_file;
+    if (ele) ele_file = read_ele_header(ele->in);
+    if (face) face_file = read_face_header(face->in, ele_file ? ele_file->nodes_each : 0);
+    const bool second_order = ele_file ? ele_file->nodes_each == 10 : face_file && face_file->nodes_each == 6;
+    if (edge) edge_file = read_edge_header(edge->in, second_order ? 10 : 4);
+    std::size_t room = 0;
+    for (const auto& file : {ele_file, face_file, edge_file})
+      if (file) room += file->count * static_cast<std::size_t>(file->nodes_each);
+    reserve_in_large_pages(document_.connectivity, room);
+
+    document_.first_element = document_.first_node;
+    if (ele) tets_ = read_elements(ele->in, *ele_file, index, document_);
+    order_tetrahedra_nodes(tets_, document_);
+    if (face) faces_ = read_elements(face->in, *face_file, index, document_);
+    order_face_nodes(faces_, tets_, document_);
+    if (edge) read_elements(edge->in, *edge_file, index, document_);
+  }
+
+  void integers(const char* ending, const TetgenElements& of, const char* needed, const char* many,
+                const char* name, int each, bool has_header) {
+    if (const auto member = open(ending); member && has(of, ending, needed))
+      read_element_integers(member->in, of, many, name, each, has_header, document_);
+  }
+
+  // Whether the file is there that another one speaks of.
+  bool has(const TetgenElements& of, const std::string& ending, const char* needed) const {
+    if (of.nodes_each > 0) return true;
+    const std::string message = fmt::format("{}: there is no {}{} beside it, without which it means nothing",
+                                            set_.member(ending), set_.stem, needed);
+    if (ending == set_.ending) throw InputError(message);
+    document_.warnings.push_back(message);
     return false;
-  document.first_node = first;
-  return read_plain_lines(file, offset, count,
-                          [&](PlainLine& line, std::size_t i) {
-                            std::int64_t number;
-                            Eigen::Vector3d& p = document.points[i];
-                            bool plain = line.integer(number) &&
-                                         number == first + static_cast<std::int64_t>(i) && line.real(p.x()) &&
-                                         line.real(p.y()) && line.real(p.z());
-                            for (std::size_t k = 0; k < each && plain; ++k)
-                              plain = line.real(values.reals[i * each + k]);
-                            return plain && (!marked || line.integer(markers.integers[i]));
-                          })
-      .has_value();
-}
-
-void read_nodes(const InputFile& file, Document& document) {
-  Records in(file, document.warnings);
-  if (!in.next()) in.fail("expected the number of nodes, found the end of the file");
-  const std::int64_t count = in.integer("the number of nodes");
-  const std::int64_t dimension = in.more() ? in.integer("the dimension 3") : 3;
-  const std::int64_t attributes_each = in.more() ? in.integer("the number of attributes") : 0;
-  const bool marked = in.more() && in.integer("0 or 1 for boundary markers") != 0;
-  if (dimension != 3) in.fail(fmt::format("expected the dimension 3, found {}", dimension));
-  check_count(in, count, "the number of nodes", 8);
-  check_count(in, attributes_each, "the number of attributes", 1);
-  if (count > std::numeric_limits<Index>::max())
-    in.fail(fmt::format("{} nodes are more than the {} that can be numbered here", count,
-                        std::numeric_limits<Index>::max()));
-  Values values = attributes(in, count, attributes_each);
-  Values markers{.name = "markers", .components = 1, .reals = {}, .integers = {}};
-  if (marked) markers.integers.assign(count, 0);
-  resize_in_large_pages(document.points, static_cast<std::size_t>(count));
-  const std::size_t start = in.next_line();
-  const bool plain = read_plain_nodes(file, start, marked, document, values, markers);
-  if (!plain) document.points.clear();
-  for (std::int64_t i = 0; i < count && !plain; ++i) {
-    if (!in.next()) in.fail(fmt::format("expected {} nodes, found {} and the end of the file", count, i));
-    const std::int64_t number = in.integer("the number of a node");
-    if (i == 0) {
-      if (number != 0 && number != 1)
-        in.fail(fmt::format("expected 0 or 1 as the first node's number, found {}", number));
-      document.first_node = number;
-    }
-    if (number != document.first_node + i)
-      in.fail(fmt::format("expected node {}, found {}: nodes must stand in order", document.first_node + i,
-                          number));
-    const double x = in.real("a coordinate"), y = in.real("a coordinate"), z = in.real("a coordinate");
-    document.points.emplace_back(x, y, z);
-    for (std::int64_t k = 0; k < attributes_each && in.more(); ++k)
-      values.reals[i * attributes_each + k] = in.real("an attribute");
-    if (marked && in.more()) markers.integers[i] = in.integer("a boundary marker");
   }
-  if (attributes_each > 0) document.node_values.push_back(std::move(values));
-  if (marked) document.node_values.push_back(std::move(markers));
-}
 
-// Tetrahedra whose every line is plain; false where one is not.
-bool read_plain_elements(const InputFile& file, std::size_t offset, std::int64_t each, std::size_t count,
-                         const NodeIndex& index, Index* nodes, Values& values, Tags& tags) {
-  if (count < least_plain_lines) return false;
-  const auto attributes_each = static_cast<std::size_t>(values.components);
-  const auto behind = read_tagged_lines(file, offset, count, tags, 0, [&](PlainLine& line, std::size_t i) {
-    Index* const mine = nodes + static_cast<std::int64_t>(i) * each;
-    for (std::int64_t k = 0; k < each; ++k) {
-      std::int64_t node;
-      if (!line.integer(node)) return false;
-      Index& place = mine[each == 10 ? tetgen_order[k] : k];
-      place = index.known(node);
-      if (place < 0) return false;
-    }
-    for (std::size_t k = 0; k < attributes_each; ++k)
-      if (!line.real(values.reals[i * attributes_each + k])) return false;
-    return true;
-  });
-  return behind.has_value();
-}
-
-void read_elements(const InputFile& file, Document& document) {
-  Records in(file, document.warnings);
-  if (!in.next()) in.fail("expected the number of tetrahedra, found the end of the file");
-  const std::int64_t count = in.integer("the number of tetrahedra");
-  const std::int64_t each = in.more() ? in.integer("4 or 10 nodes a tetrahedron") : 4;
-  const std::int64_t attributes_each = in.more() ? in.integer("the number of attributes") : 0;
-  if (each != 4 && each != 10) in.fail(fmt::format("expected 4 or 10 nodes a tetrahedron, found {}", each));
-  check_count(in, count, "the number of tetrahedra", 2 * (1 + each));
-  check_count(in, attributes_each, "the number of attributes", 1);
-  Values values = attributes(in, count, attributes_each);
-  NodeIndex index(document);
-  Tags tags(document.element_tags, document.first_element);
-  document.first_element = document.first_node;
-  resize_in_large_pages(document.connectivity, static_cast<std::size_t>(count) * each);
-  Index* nodes = document.connectivity.data();
-  const bool plain = read_plain_elements(file, in.next_line(), each, static_cast<std::size_t>(count), index,
-                                         nodes, values, tags);
-  for (std::int64_t i = 0; i < count && !plain; ++i, nodes += each) {
-    if (!in.next())
-      in.fail(fmt::format("expected {} tetrahedra, found {} and the end of the file", count, i));
-    tags.add(i, in.integer("the number of a tetrahedron"));
-    for (int k = 0; k < each; ++k)
-      nodes[each == 10 ? tetgen_order[k] : k] = index(in.integer("the number of a node"));
-    for (std::int64_t k = 0; k < attributes_each && in.more(); ++k)
-      values.reals[i * attributes_each + k] = in.real("an attribute");
+  void fields(const std::string& node_path, NodeIndex& index) {
+    if (const auto mtr = open(".mtr")) read_sizes(mtr->in, node_path, document_);
+    if (const auto var = open(".var")) read_bounds(var->in, index, document_);
   }
-  if (count > 0)
-    document.blocks.push_back({.type = each == 10 ? tetrahedron10 : tetrahedron4,
-                               .nodes_each = static_cast<std::int32_t>(each),
-                               .count = static_cast<std::size_t>(count)});
-  if (attributes_each > 0) document.element_values.push_back(std::move(values));
+
+  const TetgenPath& set_;
+  Document& document_;
+  TetgenElements tets_, faces_;
+};
+
+Document read_set(const TetgenPath& set, std::vector<std::size_t>* places) {
+  Document document;
+  document.format = "tetgen";
+  document.path = set.path;
+  SetReader reader(set, document);
+  if (set.is_plc())
+    reader.plc(places);
+  else
+    reader.mesh();
+  return document;
 }
 
 }  // namespace
 
-Document read_tetgen(const std::string& stem, bool needs_elements) {
-  Document document;
-  document.format = "tetgen";
-  document.path = stem + (needs_elements ? ".ele" : ".node");
-  std::optional<InputFile> elements;
-  struct stat about {};
-  if (needs_elements || ::stat((stem + ".ele").c_str(), &about) == 0)
-    elements.emplace(stem + ".ele");
-  else
-    document.warnings.push_back(fmt::format("{}.node: there is no {}.ele beside it: nodes only", stem, stem));
-  read_nodes(InputFile(stem + ".node"), document);
-  if (elements) read_elements(*elements, document);
-  take_back_comments(stem + ".node", stem, document);
-  return document;
+TetgenPath tetgen_path(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  TetgenPath set{path, path, ""};
+  if (dot == std::string::npos || path[dot] != '.') return set;
+  set.stem = path.substr(0, dot);
+  set.ending = path.substr(dot);
+  for (char& c : set.ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const bool of_voronoi =
+      set.ending == ".cell" || ((set.ending == ".node" || set.ending == ".edge" || set.ending == ".face") &&
+                                file_exists(set.stem + ".cell"));
+  if (of_voronoi && set.stem.ends_with(".v")) {
+    set.stem.resize(set.stem.size() - 2);
+    set.ending = ".v" + set.ending;
+  }
+  return set;
 }
 
-const Values* values_named(const std::vector<Values>& values, const std::string& name) {
-  for (const Values& v : values)
-    if (v.name == name) return &v;
-  return nullptr;
+bool file_exists(const std::string& path) {
+  struct stat about {};
+  return ::stat(path.c_str(), &about) == 0 && !S_ISDIR(about.st_mode);
+}
+
+Document read_tetgen(const std::string& path) {
+  const TetgenPath set = tetgen_path(path);
+  if (set.ending == ".cell") throw InputError(fmt::format("{}: expected .v.cell, found .cell", path));
+  return read_set(set, nullptr);
+}
+
+TriangleSurface read_tetgen_surface(const std::string& path) {
+  std::vector<std::size_t> places;
+  const Document document = read_set(tetgen_path(path), &places);
+  const InputFile file(path);
+  if (!document.facets.empty()) {
+    const Facet& facet = document.facets[0];
+    Scanner(file.path(), file.bytes(), places[facet.first])
+        .fail_in_line(fmt::format(
+            "expected facets of one polygon without holes, found one of {} polygons and {} holes; "
+            "cut it into triangles",
+            facet.polygons, facet.holes.size()));
+  }
+  SurfaceFaces surface(file, document.points, document.first_node, true);
+  std::vector<std::int64_t> corners;
+  std::size_t polygon = 0;
+  for (const ElementBlock& block : document.blocks) {
+    if (!block.of_boundary) continue;
+    for (std::size_t e = 0; e < block.count; ++e) {
+      const Index* node =
+          document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
+      corners.clear();
+      for (std::int32_t k = 0; k < block.nodes_each; ++k)
+        corners.push_back(document.named(node[k]) - document.first_node);
+      surface.add(corners, places[polygon++]);
+    }
+  }
+  return surface.take();
 }
 
 }  // namespace tetproof::io

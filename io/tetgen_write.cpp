@@ -1,124 +1,192 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// TetGen's files of a mesh.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "io/error.hpp"
 #include "io/supplement.hpp"
 #include "io/tetgen.hpp"
-#include "io/text_output.hpp"
+#include "io/tetgen_files.hpp"
 
 namespace tetproof::io {
 namespace {
 
-bool is_tetrahedra(const ElementBlock& block) {
-  const ElementType* type = element_type(block.type);
-  return type && type->shape == Shape::tetrahedron;
-}
-
-std::int64_t tetgen_base(const Document& document) {
-  return document.node_tags.empty() && document.first_node == 0 ? 0 : 1;
-}
-
-char* put_values(char* to, const Values* values, std::size_t item) {
-  if (!values) return to;
-  const std::size_t from = item * values->components;
-  for (int k = 0; k < values->components; ++k) {
-    to = put(to, ' ');
-    to = values->integers.empty() ? put(to, values->reals[from + k]) : put(to, values->integers[from + k]);
-  }
-  return to;
-}
-
-}  // namespace
-
-TetgenLimits tetgen_limits(const Document& document) {
-  TetgenLimits limits;
-  limits.renumber_nodes =
-      !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
-  const std::int64_t base = tetgen_base(document);
-  bool any = false, second_order = true;
-  std::int64_t number = base;
-  for (const ElementBlock& block : document.blocks) {
-    if (!is_tetrahedra(block)) continue;
-    any = true;
-    second_order = second_order && block.type == tetrahedron10;
-    for (std::size_t e = 0; e < block.count && !limits.renumber_elements; ++e)
-      limits.renumber_elements = document.element_tag(block.first + e) != number++;
-  }
-  limits.nodes_each = any && second_order ? 10 : 4;
-  return limits;
-}
-
-namespace {
-
-// A number that no node has must stay one that no node has.
-std::int64_t written_unknown(const Document& document, std::size_t k) {
-  const std::int64_t base = tetgen_base(document), number = document.unknown[k];
-  const auto nodes = static_cast<std::int64_t>(document.points.size());
-  return number >= base && number < base + nodes ? base + nodes + static_cast<std::int64_t>(k) : number;
-}
-
-}  // namespace
-
-Holds tetgen_holds(const Document& document) {
-  const TetgenLimits limits = tetgen_limits(document);
-  Holds holds;
-  holds.kept_in = "comments";
-  holds.unknown_nodes = true;
-  holds.unknown_number = [&document](std::size_t k) { return written_unknown(document, k); };
-  holds.nodes_each = [limits](const ElementBlock& block) {
-    return is_tetrahedra(block) ? limits.nodes_each : 0;
-  };
-  holds.values = [](const Values& values, Of of) {
-    return of != Of::element_node && !values.of_view && values.at.empty() && values.first == 0 &&
-           (values.name == "attributes" || values.name == "markers");
-  };
-  return holds;
-}
-
-void write_tetgen(const std::string& stem, const Document& document, const std::string& supplement) {
-  const TetgenLimits limits = tetgen_limits(document);
-  const std::int64_t base = tetgen_base(document);
-  const std::int64_t nodes = static_cast<std::int64_t>(document.points.size());
-  AtomicFile node_file(stem + ".node"), element_file(stem + ".ele");
-  if (!supplement.empty()) node_file.keep_checksum(), element_file.keep_checksum();
-
-  const Values* attributes = values_named(document.node_values, "attributes");
-  const Values* markers = values_named(document.node_values, "markers");
-  const std::size_t columns = (attributes ? attributes->components : 0) + (markers ? markers->components : 0);
-  node_file.write(
-      fmt::format("{} 3 {} {}\n", nodes, attributes ? attributes->components : 0, markers ? 1 : 0));
-  write_items(node_file, document.points.size(), (4 + columns) * (longest_real + 1) + 1,
-              [&](std::size_t i, char* to) {
-                to = put(to, base + static_cast<std::int64_t>(i));
-                for (double x : document.points[i]) to = put(put(to, ' '), x);
-                return put(put_values(put_values(to, attributes, i), markers, i), '\n');
-              });
-
-  const auto named = [&](Index i) { return i >= 0 ? base + i : written_unknown(document, -1 - i); };
-  const Values* element_attributes = values_named(document.element_values, "attributes");
-  const int element_columns = element_attributes ? element_attributes->components : 0;
-  std::size_t count = 0;
-  for (const ElementBlock& block : document.blocks)
-    if (is_tetrahedra(block)) count += block.count;
-  element_file.write(fmt::format("{} {} {}\n", count, limits.nodes_each, element_columns));
-  std::int64_t written = base;
-  for (const ElementBlock& block : document.blocks) {
-    if (!is_tetrahedra(block)) continue;
-    const std::size_t longest = (1 + limits.nodes_each + element_columns) * (longest_real + 1) + 1;
-    write_items(element_file, block.count, longest, [&](std::size_t i, char* to) {
-      to = put(to, written + static_cast<std::int64_t>(i));
-      const Index* node = document.connectivity.data() + block.nodes + i * block.nodes_each;
-      for (int k = 0; k < limits.nodes_each; ++k) to = put(put(to, ' '), named(node[tetgen_order[k]]));
-      return put(put_values(to, element_attributes, block.first + i), '\n');
+// Lines of an .ele, .face or .edge: number, nodes, values.
+void write_elements(AtomicFile& file, const Document& document, const TetgenPlan& plan,
+                    const TetgenList& list, const Values* before, const Values* behind = nullptr) {
+  const auto each = static_cast<std::size_t>(list.nodes_each);
+  const std::size_t longest = (1 + each + columns(before) + columns(behind)) * (longest_real + 1) + 1;
+  std::size_t written = 0;
+  for (const ElementBlock* block : list.blocks) {
+    write_items(file, block->count, longest, [&](std::size_t i, char* to) {
+      to = put(to, plan.base + static_cast<std::int64_t>(written + i));
+      const Index* node =
+          document.connectivity.data() + block->nodes + i * static_cast<std::size_t>(block->nodes_each);
+      for (std::size_t k = 0; k < each; ++k)
+        to = put(put(to, ' '),
+                 plan.number(document, node[each == 10 ? tetgen_order[k] : static_cast<int>(k)]));
+      return put(put_values(put_values(to, before, written + i), behind, written + i), '\n');
     });
-    written += static_cast<std::int64_t>(block.count);
+    written += block->count;
   }
-  if (!supplement.empty())
-    node_file.write(as_comments(
-        supplement_head({{"", node_file.checksum()}, {".ele", element_file.checksum()}}) + supplement));
-  node_file.commit();
-  element_file.commit();
+}
+
+// Lines of a number and values.
+void write_values(AtomicFile& file, const TetgenPlan& plan, std::size_t count, const Values& values) {
+  write_items(file, count, (1 + columns(&values)) * (longest_real + 1) + 1, [&](std::size_t i, char* to) {
+    return put(put_values(put(to, plan.base + static_cast<std::int64_t>(i)), &values, i), '\n');
+  });
+}
+
+// Which files a mesh comes to; `named`: the one that the writer was asked for.
+std::vector<std::string> endings_of(const TetgenPlan& plan, const std::string& named) {
+  std::vector<std::string> endings{".node", ".ele"};
+  if (plan.faces.count > 0 || named == ".face") endings.push_back(".face");
+  if (plan.edges.count > 0 || named == ".edge") endings.push_back(".edge");
+  if (plan.neighbours) endings.push_back(".neigh");
+  if (plan.tet_faces) endings.push_back(".t2f");
+  if (plan.tet_edges) endings.push_back(".t2e");
+  if (plan.face_edges) endings.push_back(".f2e");
+  if (plan.volume_bounds) endings.push_back(".vol");
+  if (plan.sizes) endings.push_back(".mtr");
+  if (plan.bounds) endings.push_back(".var");
+  if (plan.voronoi) endings.insert(endings.end(), {".v.node", ".v.edge", ".v.face", ".v.cell"});
+  return endings;
+}
+
+bool is_among(const std::vector<std::string>& endings, const std::string& ending) {
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+}  // namespace
+
+AtomicFile& TetgenFiles::add(const std::string& ending) {
+  const std::string path = set_.member(ending);
+  endings_.push_back(path.substr(set_.stem.size()));
+  AtomicFile& file = files_.emplace_back(path);
+  if (!supplement_.empty()) file.keep_checksum();
+  return file;
+}
+
+void TetgenFiles::commit() {
+  if (!supplement_.empty()) {
+    std::vector<Checksum> checksums;
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      checksums.push_back({i == 0 ? "" : endings_[i], files_[i].checksum()});
+    files_.front().write(as_comments(supplement_head(checksums) + supplement_));
+  }
+  for (AtomicFile& file : files_) file.commit();
+}
+
+TetgenPath tetgen_path_to_write(const std::string& path, const std::string& format) {
+  const TetgenPath set = tetgen_path(path);
+  if (format != "tetgen")
+    return set.ending == "." + format ? set : TetgenPath{path + "." + format, path, "." + format};
+  static const std::vector<std::string> known{".node", ".ele",    ".face",   ".edge",   ".neigh",
+                                              ".t2f",  ".t2e",    ".f2e",    ".vol",    ".mtr",
+                                              ".var",  ".v.node", ".v.edge", ".v.face", ".v.cell"};
+  return is_among(known, set.ending) ? set : TetgenPath{path, path, ""};
+}
+
+void write_tetgen_nodes(AtomicFile& file, const Document& document, const TetgenPlan& plan) {
+  file.write(
+      fmt::format("{} 3 {} {}\n", document.points.size(), columns(plan.attributes), columns(plan.markers)));
+  const std::size_t longest = (4 + columns(plan.attributes) + columns(plan.markers)) * (longest_real + 1) + 1;
+  write_items(file, document.points.size(), longest, [&](std::size_t i, char* to) {
+    to = put(to, plan.base + static_cast<std::int64_t>(i));
+    for (double x : document.points[i]) to = put(put(to, ' '), x);
+    return put(put_values(put_values(to, plan.attributes, i), plan.markers, i), '\n');
+  });
+}
+
+void write_tetgen_edges(AtomicFile& file, const Document& document, const TetgenPlan& plan) {
+  file.write(fmt::format("{} {}\n", plan.edges.count, plan.edge_markers ? 1 : 0));
+  write_elements(file, document, plan, plan.edges, plan.edge_markers, plan.edge_tets);
+}
+
+void write_tetgen_fields(TetgenFiles& files, const Document& document, const TetgenPlan& plan) {
+  if (plan.sizes) {
+    AtomicFile& file = files.add(".mtr");
+    file.write(fmt::format("{} {}\n", document.points.size(), columns(plan.sizes)));
+    const std::size_t each = columns(plan.sizes);
+    write_items(file, document.points.size(), each * (longest_real + 1), [&](std::size_t i, char* to) {
+      for (std::size_t k = 0; k < each; ++k)
+        to = put(put(to, plan.sizes->reals[i * each + k]), k + 1 < each ? ' ' : '\n');
+      return to;
+    });
+  }
+  if (!plan.bounds) return;
+  AtomicFile& file = files.add(".var");
+  file.write(fmt::format("{}\n", document.area_bounds.size()));
+  write_items(file, document.area_bounds.size(), 3 * (longest_real + 1), [&](std::size_t i, char* to) {
+    const AreaBound& bound = document.area_bounds[i];
+    to = put(put(to, plan.base + static_cast<std::int64_t>(i)), ' ');
+    return put(put(put(put(to, bound.marker), ' '), bound.area), '\n');
+  });
+  file.write(fmt::format("{}\n", document.length_bounds.size()));
+  write_items(file, document.length_bounds.size(), 4 * (longest_real + 1), [&](std::size_t i, char* to) {
+    const LengthBound& bound = document.length_bounds[i];
+    to = put(to, plan.base + static_cast<std::int64_t>(i));
+    for (const Index node : bound.nodes) to = put(put(to, ' '), plan.number(document, node));
+    return put(put(put(to, ' '), bound.length), '\n');
+  });
+}
+
+void write_tetgen(const std::string& path, const Document& document, const std::string& supplement) {
+  const TetgenPlan plan = tetgen_mesh_plan(document);
+  const TetgenPath set = tetgen_path_to_write(path, "tetgen");
+  const std::vector<std::string> endings = endings_of(plan, set.ending);
+  if (!set.ending.empty() && !is_among(endings, set.ending))
+    throw InputError(fmt::format("{}: cannot write it: there is nothing in {} to stand in it", path,
+                                 document.path.empty() ? "the mesh" : document.path));
+  TetgenFiles files(set, supplement);
+  write_tetgen_nodes(files.add(".node"), document, plan);
+  AtomicFile& ele = files.add(".ele");
+  ele.write(fmt::format("{} {} {}\n", plan.tets.count, plan.tets.nodes_each, columns(plan.tet_attributes)));
+  write_elements(ele, document, plan, plan.tets, plan.tet_attributes);
+  if (is_among(endings, ".face")) {
+    AtomicFile& file = files.add(".face");
+    file.write(fmt::format("{} {}\n", plan.faces.count, plan.face_markers ? 1 : 0));
+    write_elements(file, document, plan, plan.faces, plan.face_markers, plan.face_tets);
+  }
+  if (is_among(endings, ".edge")) write_tetgen_edges(files.add(".edge"), document, plan);
+  if (plan.neighbours) {
+    AtomicFile& file = files.add(".neigh");
+    file.write(fmt::format("{} 4\n", plan.tets.count));
+    write_values(file, plan, plan.tets.count, *plan.neighbours);
+  }
+  if (plan.tet_faces) write_values(files.add(".t2f"), plan, plan.tets.count, *plan.tet_faces);
+  if (plan.tet_edges) write_values(files.add(".t2e"), plan, plan.tets.count, *plan.tet_edges);
+  if (plan.face_edges) write_values(files.add(".f2e"), plan, plan.faces.count, *plan.face_edges);
+  if (plan.volume_bounds) {
+    AtomicFile& file = files.add(".vol");
+    file.write(fmt::format("{}\n", plan.tets.count));
+    write_values(file, plan, plan.tets.count, *plan.volume_bounds);
+  }
+  write_tetgen_fields(files, document, plan);
+  if (plan.voronoi) write_tetgen_voronoi(files, document.voronoi);
+  files.commit();
+}
+
+std::string tetgen_left_over(const std::string& path, const Document& document, const std::string& format) {
+  const TetgenPath set = tetgen_path_to_write(path, format);
+  std::vector<std::string> written, read;
+  if (set.is_plc()) {
+    const TetgenPlan plan = tetgen_plc_plan(document);
+    if (plan.edges.count > 0) written.push_back(".edge");
+    if (plan.sizes) written.push_back(".mtr");
+    if (plan.bounds) written.push_back(".var");
+    read = {".edge", ".mtr", ".var"};
+    if (set.ending == ".smesh") read.push_back(".poly");
+  } else {
+    written = endings_of(tetgen_mesh_plan(document), set.ending);
+    read = {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"};
+  }
+  std::vector<std::string> left;
+  for (const std::string& ending : read)
+    if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));
+  if (left.empty()) return {};
+  return fmt::format("{}: {} not written, but will be read together with it", fmt::join(left, ", "),
+                     left.size() == 1 ? "is there already and is" : "are there already and are");
 }
 
 }  // namespace tetproof::io

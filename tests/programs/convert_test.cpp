@@ -81,7 +81,7 @@ TEST(Convert, UsageAndInput) {
             "tetproof-convert: b.node: TetGen .node and .ele is never binary\n");
   EXPECT_EQ(
       said({"a.msh", "b.msh", "--to", "nas"}),
-      "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen vtu stl off obj ply\n");
+      "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu stl off obj ply\n");
   EXPECT_EQ(
       said({"bad.msh", "b.msh"}),
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");

@@ -262,9 +262,10 @@ TEST(MeshErrors, OfWriting) {
   const test::TestFiles files;
   const Document document;
   EXPECT_EQ(files.message([&] { write_document(files.path("a.xyz"), document); }),
-            "a.xyz: unknown ending, expected one of .msh .node .ele .vtu .stl .off .obj .ply");
+            "a.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh .vol .mtr .var .t2f "
+            ".t2e .f2e .cell .poly .smesh .vtu .stl .off .obj .ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.msh"), document, {.format = "msh5"}); }),
-            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen vtu stl off obj ply");
+            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen poly smesh vtu stl off obj ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.ele"), document, {.binary = true}); }),
             "a.ele: TetGen .node and .ele is never binary");
   EXPECT_EQ(files.message([&] { write_document(files.path("none/a.msh"), document); }),

@@ -233,7 +233,8 @@ const std::vector<Case> cases{
       {"a.ele", "2 4 1\n1 1 2 3 4 2.25\n2 1 2 3 4\n"}},
      "tetgen\n" + n4 +
          "e 1 4 3/0 g p: 1 2 3 4\ne 2 4 3/0 g p: 1 2 3 4\nv nodes attributes 2: 0.5 -2 0.001 0 0 0 1 2\n"
-         "v nodes markers 1: 9 0 0 -3\nv elements attributes 1: 2.25 0\n"},
+         "v nodes markers 1: 9 0 0 -3\nv elements attributes 1: 2.25 0\n",
+     {"a.node:5: there are more words in the line than are read (the first such)"}},
     {"TetgenIntegersAsCReadsThem",
      {{"a.node", "4 3\n0x1 0 0 0\n2 1 0 0\n03 010 1 0\n4 0 0 1\n"}, {"a.ele", "1 4\n1 1 2 3 010\n"}},
      "tetgen\nn 1 0 0 0\nn 2 1 0 0\nn 3 10 1 0\nn 4 0 0 1\ne 1 4 3/0 g p: 1 2 3 ?8\n",
@@ -257,7 +258,9 @@ const std::vector<Case> cases{
      {"a.node: there is no a.ele beside it: nodes only"}},
     {"TetgenElementNumbersOutOfOrder",
      {{"a.node", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"}, {"a.ele", "2 4\n7 1 2 3 4\n3 1 2 4 3\n"}},
-     "tetgen\n" + n4 + "e 7 4 3/0 g p: 1 2 3 4\ne 3 4 3/0 g p: 1 2 4 3\n"},
+     "tetgen\n" + n4 + "e 7 4 3/0 g p: 1 2 3 4\ne 3 4 3/0 g p: 1 2 4 3\n",
+     {"a.ele:2: tetrahedron 7 stands where tetrahedron 1 is due; TetGen goes by the order of the lines (the "
+      "first such)"}},
 
     {"Surface",
      {{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}},

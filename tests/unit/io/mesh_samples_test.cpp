@@ -84,14 +84,26 @@ const std::vector<Sample> samples{
     {"handmade/q1.node", 4, 1, 1},
     {"handmade/q3.ele", 9, 2, 2},
     {"handmade/q3.node", 9, 2, 2},
-    {"tetgen150_out/cube_attr.1.ele", 8, 6, 6},
-    {"tetgen150_out/cube_attr.1.node", 8, 6, 6},
-    {"tetgen150_out/example.1.ele", 303, 976, 976},
-    {"tetgen150_out/example.1.node", 303, 976, 976},
-    {"tetgen150_out/example_o2.1.ele", 1861, 976, 976},
-    {"tetgen150_out/example_o2.1.node", 1861, 976, 976},
-    {"tetgen150_out/nn2.1.ele", 20, 22, 22},
-    {"tetgen150_out/nn2.1.node", 20, 22, 22},
+    {"tetgen150_out/cube_attr.1.ele", 8, 6 + 12 + 12, 6},
+    {"tetgen150_out/cube_attr.1.node", 8, 6 + 12 + 12, 6},
+    {"tetgen150_out/example.1.ele", 303, 976 + 2233 + 1558, 976},
+    {"tetgen150_out/example.1.node", 303, 976 + 2233 + 1558, 976},
+    {"tetgen150_out/example_o2.1.ele", 1861, 976 + 596 + 165, 976},
+    {"tetgen150_out/example_o2.1.node", 1861, 976 + 596 + 165, 976},
+    {"tetgen150_out/nn2.1.ele", 20, 22 + 62 + 59, 22},
+    {"tetgen150_out/nn2.1.node", 20, 22 + 62 + 59, 22},
+    {"tetgen150_out/cube_attr.1.face", 8, 6 + 12 + 12, 6},
+    {"tetgen150_out/cube_attr.1.edge", 8, 6 + 12 + 12, 6},
+    {"tetgen150_out/example.1.face", 303, 976 + 2233 + 1558, 976},
+    {"tetgen150_out/example.1.edge", 303, 976 + 2233 + 1558, 976},
+    {"tetgen150_out/example.1.neigh", 303, 976 + 2233 + 1558, 976},
+    {"tetgen150_out/example_o2.1.face", 1861, 976 + 596 + 165, 976},
+    {"tetgen150_out/example_o2.1.edge", 1861, 976 + 596 + 165, 976},
+    {"tetgen150_out/nn2.1.face", 20, 22 + 62 + 59, 22},
+    {"tetgen150_out/nn2.1.edge", 20, 22 + 62 + 59, 22},
+    {"tetgen150_out/nn2.1.neigh", 20, 22 + 62 + 59, 22},
+    {"tetgen150_out/cube_attr.poly", 8, 6, 0},
+    {"tetgen150/example.poly", 28, 24, 0},
     {"handmade/q2.node", 4, 0, 0},
 };
 
@@ -118,8 +130,8 @@ TEST(MeshSamples, NoneIsForgotten) {
   std::set<std::string> listed;
   for (const Sample& sample : samples) listed.insert(sample.file);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(formats_folder)) {
-    const std::string ending = entry.path().extension();
-    if (ending != ".msh" && ending != ".node" && ending != ".ele") continue;
+    static const std::set<std::string> endings{".msh", ".node", ".ele", ".face", ".edge", ".neigh", ".poly"};
+    if (!endings.count(entry.path().extension())) continue;
     EXPECT_TRUE(listed.count(std::filesystem::relative(entry.path(), formats_folder).string()))
         << entry.path();
   }

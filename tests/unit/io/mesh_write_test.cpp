@@ -143,14 +143,14 @@ const std::vector<LossCase> loss_cases{
     {"Tetgen",
      "a.node",
      {},
-     {"triangles of 3 nodes (type 2): 1 (element 9)",
-      "nodes between the corners of tetrahedra of 10 nodes (type 11): 1 (element 5)",
-      "numbers of nodes: 10 (the first is 10)", "numbers of elements: 2 (the first is 5)",
-      "entities of elements: 2 (element 5 in entity 5)",
+     {"nodes between the corners of tetrahedra of 10 nodes (type 11): 1 (element 5)",
+      "numbers of nodes: 10 (the first is 10)", "numbers of elements: 3 (the first is 5)",
+      "entities of elements: 3 (element 5 in entity 5)",
       "entities of nodes: 10 (node 10 on entity 6 of dimension 2)",
       "entities with their boxes and boundaries: 2 (6 of dimension 2)",
-      "physical groups of elements: 2 (element 5 in groups 9)", "names of physical groups: 1 (skin)",
-      "nodes with parametric coordinates: 3 (node 10)", "section $Periodic: 1 (2 bytes)",
+      "physical groups of elements: 3 (element 5 in groups 9)", "names of physical groups: 1 (skin)",
+      "nodes with parametric coordinates: 3 (node 10)", "values \"attributes\" of elements: 3 (2.25)",
+      "section $Periodic: 1 (2 bytes)",
       "section $Mine: 1 (2 bytes)"}},
     {"Vtu",
      "a.vtu",
@@ -246,8 +246,10 @@ TEST(MeshWrite, TetgenRenumbersAndKeepsUnknownNumbersUnknown) {
   const test::TestFiles files;
   Document document = rich();
   document.unknown = {2};  // which is a node once they are numbered from 1
+  document.element_values[0].reals.pop_back();  // of the tetrahedra alone
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "2 4 1\n1 1 2 3 4 2.25\n2 1 2 3 11 0\n");
+  EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 0\n1 1 2 3\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.node")).substr(0, 32), "10 3 0 1\n1 0 0 0 1\n2 0.1 0 0 1\n3");
 }
 

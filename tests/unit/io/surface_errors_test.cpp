@@ -226,8 +226,9 @@ const std::vector<Case> cases{
      "a.ply: byte 179: expected the end of the file after 1 of element 'face', found 2 more bytes"},
 
     {"UnknownEnding", "a.surf", "v 0 0 0\n",
-     "a.surf: unknown ending '.surf', expected a surface as .stl, .off, .obj, .ply or .msh"},
-    {"NoEnding", "surface", "", "surface: no ending, expected a surface as .stl, .off, .obj, .ply or .msh"},
+     "a.surf: unknown ending '.surf', expected a surface as .stl, .off, .obj, .ply, .poly, .smesh or .msh"},
+    {"NoEnding", "surface", "",
+     "surface: no ending, expected a surface as .stl, .off, .obj, .ply, .poly, .smesh or .msh"},
 };
 
 class SurfaceErrors : public testing::TestWithParam<Case> {};

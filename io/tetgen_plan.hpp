@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a document stands in which of TetGen's files: the writers and what they say they hold come from it
+// alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof::io {
+
+/// The elements of a file, in the document's order.
+struct TetgenList {
+  std::vector<const ElementBlock*> blocks;
+  std::size_t count = 0;
+  int nodes_each = 0;  ///< as they are written; of polygons: 0
+};
+
+/// Values are null where the file has no place for them.
+struct TetgenPlan {
+  bool plc = false;
+  bool renumber_nodes = false, renumber_elements = false;
+  std::int64_t base = 1;  ///< of all numbers
+  TetgenList tets, faces, edges;
+  TetgenList polygons;              ///< of a .poly or .smesh
+  bool facets_as_said = true;       ///< each is a run of polygons of its own
+  std::vector<std::size_t> facets;  ///< positions in `Document::facets`, of those that are
+
+  const Values *attributes = nullptr, *markers = nullptr, *sizes = nullptr;  // of nodes
+  const Values *tet_attributes = nullptr, *neighbours = nullptr, *tet_faces = nullptr, *tet_edges = nullptr,
+               *volume_bounds = nullptr;
+  const Values *face_markers = nullptr, *face_tets = nullptr, *face_edges = nullptr;
+  const Values *edge_markers = nullptr, *edge_tets = nullptr;
+  const Values* facet_markers = nullptr;
+  bool bounds = false, voronoi = false;
+
+  /// The number that stands for a node.
+  std::int64_t number(const Document&, Index node) const;
+};
+/// The number that is written for `Document::unknown[k]`.
+std::int64_t tetgen_unknown(const Document&, std::int64_t base, std::size_t k);
+TetgenPlan tetgen_mesh_plan(const Document&);
+TetgenPlan tetgen_plc_plan(const Document&);
+
+}  // namespace tetproof::io
