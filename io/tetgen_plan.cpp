@@ -68,10 +68,6 @@ TetgenPlan plan_nodes(const Document& document) {
   TetgenPlan plan;
   plan.renumber_nodes = !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
   plan.base = plan.renumber_nodes ? 1 : document.first_node;
-  const auto nodes = static_cast<std::int64_t>(document.points.size());
-  plan.unknown_change =
-      std::any_of(document.unknown.begin(), document.unknown.end(),
-                  [&](std::int64_t number) { return number >= plan.base && number < plan.base + nodes; });
   plan.attributes = node_values(document, "attributes", true, 0);
   plan.markers = node_values(document, "markers", false, 1);
   plan.sizes = node_values(document, "sizes", true, 0);

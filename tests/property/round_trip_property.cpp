@@ -106,6 +106,11 @@ Document there_and_back(Folder& folder, const Document& document, const Target& 
   return back;
 }
 
+// A .smesh is refused to facets of several polygons.
+bool has_place(const Target& target, const Document& document) {
+  return target.options.format != "smesh" || document.facets.empty();
+}
+
 class RoundTrip : public testing::TestWithParam<Target> {};
 
 TEST_P(RoundTrip, LosesWhatItSays) {
@@ -115,6 +120,7 @@ TEST_P(RoundTrip, LosesWhatItSays) {
     const Recipe recipe = *any_recipe();
     const Document document = random_document(recipe);
     check_in_order(document);
+    if (!has_place(target, document)) return;
     const std::vector<Loss> said = losses(target.file, document, target.options);
     const Document back = there_and_back(folder, document, target);
     const std::string wrong = disagreement(said, differences(document, back));
@@ -133,7 +139,9 @@ TEST(RoundTrips, AllPairs) {
     const Recipe recipe = *any_recipe();
     const Target& a = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
     const Target& b = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
-    const Document first = there_and_back(folder, random_document(recipe), a);
+    const Document document = random_document(recipe);
+    if (!has_place(a, document) || !has_place(b, document)) return;
+    const Document first = there_and_back(folder, document, a);
     std::vector<Loss> said = losses(b.file, first, b.options);
     const Document second = there_and_back(folder, first, b);
     std::string wrong = disagreement(said, differences(first, second));
