@@ -64,7 +64,7 @@ class SetReader {
       read_elements(edge->in, file, index, document_);
     }
     fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
-    take_back_comments(set_.path, set_.stem, document_);
+    if (!places) take_back_comments(set_.path, set_.stem, document_);  // which may move elements
   }
 
  private:
@@ -165,31 +165,22 @@ Document read_tetgen(const std::string& path) {
 
 TriangleSurface read_tetgen_surface(const std::string& path) {
   std::vector<std::size_t> places;
-  const Document document = read_set(tetgen_path(path), &places);
+  Document document = read_set(tetgen_path(path), &places);
   const InputFile file(path);
+  const auto fail = [&](std::size_t element, const std::string& message) {
+    Scanner(file.path(), file.bytes(), places[element]).fail_in_line(message);
+  };
   if (!document.facets.empty()) {
     const Facet& facet = document.facets[0];
-    Scanner(file.path(), file.bytes(), places[facet.first])
-        .fail_in_line(fmt::format(
-            "expected facets of one polygon without holes, found one of {} polygons and {} holes; "
-            "cut it into triangles",
-            facet.polygons, facet.holes.size()));
+    fail(facet.first,
+         fmt::format("expected facets of one polygon without holes, found one of {} polygons and "
+                     "{} holes; cut it into triangles",
+                     facet.polygons, facet.holes.size()));
   }
-  SurfaceFaces surface(file, document.points, document.first_node, true);
-  std::vector<std::int64_t> corners;
-  std::size_t polygon = 0;
-  for (const ElementBlock& block : document.blocks) {
-    if (!block.of_boundary) continue;
-    for (std::size_t e = 0; e < block.count; ++e) {
-      const Index* node =
-          document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
-      corners.clear();
-      for (std::int32_t k = 0; k < block.nodes_each; ++k)
-        corners.push_back(document.named(node[k]) - document.first_node);
-      surface.add(corners, places[polygon++]);
-    }
-  }
-  return surface.take();
+  for (const ElementBlock& block : document.blocks)
+    if (block.of_boundary && block.dim < 2)
+      fail(block.first, fmt::format("face has {} corners, expected at least 3", block.nodes_each));
+  return surface_of_faces(file, {std::move(document), std::move(places)});
 }
 
 }  // namespace tetproof::io
