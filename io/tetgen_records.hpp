@@ -21,6 +21,7 @@ class Records {
   }
 
   const std::string& path() const { return file_.path(); }
+  const InputFile& file() const { return file_; }
   std::string_view bytes() const { return file_.bytes(); }
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - file_.bytes().data()); }
@@ -126,7 +127,7 @@ class AnyRow {
 template <class Read>
 void read_rows(Records& in, std::size_t count, std::string_view what, NodeIndex* index, const Read& read) {
   const std::size_t start = in.next_line();
-  const auto behind = read_plain_lines(in.bytes(), start, count, [&](PlainLine& line, std::size_t i) {
+  const auto behind = read_plain_lines(in.file(), start, count, [&](PlainLine& line, std::size_t i) {
     PlainRow row(line, index);
     return read(row, i);
   });
