@@ -11,6 +11,7 @@
 #include "io/gmsh_import.hpp"
 #include "io/holds.hpp"
 #include "io/input_file.hpp"
+#include "io/medit.hpp"
 #include "io/msh.hpp"
 #include "io/obj.hpp"
 #include "io/off.hpp"
@@ -19,6 +20,7 @@
 #include "io/supplement.hpp"
 #include "io/surface_document.hpp"
 #include "io/tetgen.hpp"
+#include "io/vtk.hpp"
 #include "io/vtu.hpp"
 
 namespace tetproof {
@@ -49,8 +51,14 @@ struct Codec {
   io::Holds (*holds)(const std::string& path, const Document&, bool binary);
 };
 
-Document read_msh(const std::string& path) {
-  return io::read_msh(InputFile(path));
+template <Document (*Read)(const InputFile&)>
+Document read_one_file(const std::string& path) {
+  return Read(InputFile(path));
+}
+
+template <io::Holds (*Holds)(const Document&, bool)>
+io::Holds holds_in_one_file(const std::string&, const Document& document, bool binary) {
+  return Holds(document, binary);
 }
 
 template <void (*Write)(AtomicFile&, const Document&, bool)>
@@ -93,7 +101,7 @@ Codec surface(Format format) {
 const std::vector<Codec>& codecs() {
   static const std::vector<Codec> all{
       {{.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
-       read_msh,
+       read_one_file<io::read_msh>,
        write_msh<io::write_msh41>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh41", binary);
@@ -105,7 +113,7 @@ const std::vector<Codec>& codecs() {
          return io::msh_holds(document, "msh40", binary);
        }},
       {{.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
-       read_msh,
+       read_one_file<io::read_msh>,
        write_msh<io::write_msh22>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh22", binary);
@@ -133,10 +141,30 @@ const std::vector<Codec>& codecs() {
          io::write_smesh(path, document, supplement);
        },
        [](const std::string&, const Document& document, bool) { return io::smesh_holds(document); }},
-      {{.name = "vtu", .what = "VTK XML unstructured grid", .endings = {".vtu"}, .usually_binary = true},
-       nullptr,
+      {{.name = "vtu",
+        .what = "VTK XML unstructured grid",
+        .endings = {".vtu"},
+        .reads = true,
+        .usually_binary = true},
+       read_one_file<io::read_vtu>,
        write_one_file<io::write_vtu>,
-       [](const std::string&, const Document&, bool) { return io::vtu_holds(); }},
+       holds_in_one_file<io::vtu_holds>},
+      {{.name = "vtk",
+        .what = "VTK legacy unstructured grid",
+        .endings = {".vtk"},
+        .reads = true,
+        .usually_binary = true},
+       read_one_file<io::read_vtk>,
+       write_one_file<io::write_vtk>,
+       holds_in_one_file<io::vtk_holds>},
+      {{.name = "medit",
+        .what = "Medit .mesh and .meshb",
+        .endings = {".mesh", ".meshb"},
+        .reads = true,
+        .binary_ending = ".meshb"},
+       read_one_file<io::read_medit>,
+       write_one_file<io::write_medit>,
+       holds_in_one_file<io::medit_holds>},
       surface<io::write_stl, io::stl_holds>(
           {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true}),
       surface<io::write_off, io::off_holds>(
@@ -189,7 +217,13 @@ const Format& format_named(const std::string& name) {
 
 Encoding encoding_of(const std::string& path, const WriteOptions& options) {
   const Format& format = options.format.empty() ? format_of(path) : format_named(options.format);
-  const bool binary = options.binary.value_or(format.usually_binary);
+  const std::string ending = ending_of(path);
+  const bool says_binary = !format.binary_ending.empty() && ending == format.binary_ending;
+  const bool binary = options.binary.value_or(says_binary || format.usually_binary);
+  if (!format.binary_ending.empty() && binary != says_binary &&
+      std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
+    throw InputError(fmt::format("{}: {} is binary if the name ends in {}, and only then", path, format.what,
+                                 format.binary_ending));
   if (!(binary ? format.binary : format.ascii))
     throw InputError(fmt::format("{}: {} is never {}", path, format.what, binary ? "binary" : "text"));
   return {format.name, binary};

@@ -19,9 +19,10 @@ struct Format {
   bool reads = false;
   bool ascii = true, binary = true;  ///< which of the two it can be written in
   bool usually_binary = false;       ///< which of them it is unless one is asked for
+  std::string binary_ending;         ///< of `endings`, the one that binary files have, and no others
 };
 
-/// All formats: msh41, msh40, msh22, tetgen, vtu, stl, off, obj, ply.
+/// All formats: msh41, msh40, msh22, tetgen, vtu, vtk, medit, stl, off, obj, ply.
 const std::vector<Format>& formats();
 /// The format that `path`'s ending stands for when it is written. InputError naming the known endings.
 const Format& format_of(const std::string& path);
@@ -30,7 +31,7 @@ const Format& format_named(const std::string& name);
 
 struct WriteOptions {
   std::string format;          ///< a name of `formats()`; empty: by the path's ending
-  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, .stl and .ply
+  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, .vtk, .meshb, .stl and .ply
 };
 
 /// What `options` and the path's ending come to. InputError when the ending says nothing, or the format
@@ -42,9 +43,10 @@ struct Encoding {
 Encoding encoding_of(const std::string& path, const WriteOptions& options);
 
 /// Reads .msh 1 to 3, 4.0 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either
-/// brings the other), surfaces, and through Gmsh what only it reads: `io::gmsh_endings()` in
-/// io/gmsh_import.hpp. What the format permits is read as it is written: indices that name no
-/// node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not permit.
+/// brings the other), .vtu, .vtk, .mesh, .meshb, surfaces, and through Gmsh what only it reads:
+/// `io::gmsh_endings()` in io/gmsh_import.hpp. What the format permits is read as it is written: indices that
+/// name no node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not
+/// permit.
 Document read_document(const std::string& path);
 
 /// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in

@@ -5,18 +5,22 @@
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/holds.hpp"
+#include "io/input_file.hpp"
 
 namespace tetproof::io {
 
-/// VTK's number of the cell type for Gmsh's element type; 0 if there is none that this writer knows.
-int vtk_cell_type(int gmsh_type);
+/// Reads ASCII, base64 and appended data, compressed by zlib or not, of both byte orders; pieces are put one
+/// after the other. Point and cell data become values, field data a table for each array; the cell data
+/// "entity" (or "CellEntityIds") and "group", "group 2", ... become entities and physical groups. Nodes and
+/// cells count from 0. See `add_vtk_piece` for the cells that are not kept as they are.
+Document read_vtu(const InputFile& file);
 
-/// Coordinates as Float64, integers as Int64; base64 if `binary`. `node_values` and `element_values` become
-/// point and cell data; entity tags and the first physical group of each element as cell data "entity" and
-/// "group" where there are any besides one entity. Elements that VTK does not have, or that name unknown
-/// nodes, are left out.
+/// Coordinates as Float64, integers as Int64; base64 if `binary`. Values become point and cell data, entity
+/// tags and physical groups cell data "entity" and "group", "group 2", ..., where there are any; tables
+/// become field data. Elements that VTK does not have are written by their corners; those that name unknown
+/// nodes are left out. Numbers that are not finite keep VTK itself from reading the ASCII form.
 void write_vtu(AtomicFile& file, const Document& document, bool binary);
 
-Holds vtu_holds();
+Holds vtu_holds(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -1,45 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
-#include <cstring>
-#include <functional>
+#include <algorithm>
+#include <bit>
 #include <string>
-#include <vector>
 
-#include "io/element_types.hpp"
 #include "io/text_output.hpp"
+#include "io/vtk_mesh.hpp"
 #include "io/vtu.hpp"
 
 namespace tetproof::io {
 namespace {
 
-struct Cell {
-  int gmsh, vtk, nodes;
-};
-// clang-format off
-constexpr Cell cells[] = {{15, 1, 1}, {1, 3, 2}, {2, 5, 3}, {3, 9, 4}, {4, 10, 4}, {5, 12, 8}, {6, 13, 6}, {7, 14, 5},
-                          {8, 21, 3}, {9, 22, 6}, {16, 23, 8}, {10, 28, 9}, {11, 24, 10}};
-// clang-format on
+// How many bytes of UTF-8 that XML permits start at `text[i]`: 0 if none.
+std::size_t xml_character(const std::string& text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
+  const unsigned first = byte(i);
+  if (first < 0x80) return first >= ' ' || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  unsigned code = first & (0xFFU >> (size + 1));
+  for (std::size_t k = 1; k < size; ++k) {
+    if ((byte(i + k) & 0xC0) != 0x80) return 0;
+    code = code << 6 | (byte(i + k) & 0x3F);
+  }
+  const bool shortest = size == 2 || code >= (size == 3 ? 0x800U : 0x10000U);
+  const bool permitted =
+      code < 0xD800 || (code > 0xDFFF && code <= 0x10FFFF && code != 0xFFFE && code != 0xFFFF);
+  return shortest && permitted ? size : 0;
+}
+
+bool is_xml(const std::string& text) {
+  for (std::size_t i = 0, size; i < text.size(); i += size)
+    if ((size = xml_character(text, i)) == 0) return false;
+  return true;
+}
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
+  for (std::size_t i = 0, size; i < text.size(); i += std::max<std::size_t>(1, size)) {
+    size = xml_character(text, i);
+    const char c = text[i];
+    if (size == 0)
+      safe += '?';
+    else if (size > 1)
+      safe += text.substr(i, size);
+    else if (c == '&' || c == '<' || c == '>' || c == '"' || c < ' ')
+      safe += fmt::format("&#{};", static_cast<int>(c));
+    else
+      safe += c;
+  }
   return safe;
 }
 
@@ -64,105 +74,78 @@ char* put_base64(char* to, const unsigned char* from, std::size_t size) {
 class Writer {
  public:
   Writer(AtomicFile& file, const Document& document, bool binary)
-      : file_(file), document_(document), binary_(binary) {
-    for (const ElementBlock& block : document.blocks) {
-      const int type = vtk_cell_type(block.type);
-      for (std::size_t e = 0; type != 0 && e < block.count; ++e) {
-        const Index* nodes = document.connectivity.data() + block.nodes + e * block.nodes_each;
-        if (std::any_of(nodes, nodes + block.nodes_each, [](Index i) { return i < 0; })) continue;
-        elements_.push_back(block.first + e);
-        types_.push_back(static_cast<unsigned char>(type));
-        const std::size_t start = connectivity_.size();
-        connectivity_.insert(connectivity_.end(), nodes, nodes + block.nodes_each);
-        if (block.type == tetrahedron10) std::swap(connectivity_[start + 8], connectivity_[start + 9]);
-        offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-      }
-    }
-  }
+      : file_(file), document_(document), binary_(binary), mesh_(vtk_mesh(document, "entity")) {}
 
   void write() {
     file_.write(
         fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-                    "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-                    "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
-                    document_.points.size(), elements_.size()));
-    file_.write("<Points>\n");
-    array<double>("Points", 3, 3 * document_.points.size(),
-                  [&](std::size_t i) { return document_.points[i / 3][static_cast<int>(i % 3)]; });
+                    "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
+    if (!mesh_.field_data.empty()) data("FieldData", mesh_.field_data);
+    file_.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+                            document_.points.size(), mesh_.elements.size()));
+    numbers<double>("Points", "Float64", 3, false, 3 * document_.points.size(),
+                    [&](std::size_t i) { return document_.points[i / 3][static_cast<int>(i % 3)]; });
     file_.write("</Points>\n<Cells>\n");
-    array<std::int64_t>("connectivity", 1, connectivity_.size(),
-                        [&](std::size_t i) { return connectivity_[i]; });
-    array<std::int64_t>("offsets", 1, offsets_.size(), [&](std::size_t i) { return offsets_[i]; });
-    array<unsigned char>("types", 1, types_.size(), [&](std::size_t i) { return types_[i]; });
+    numbers<std::int64_t>("connectivity", "Int64", 1, false, mesh_.connectivity.size(),
+                          [&](std::size_t i) { return mesh_.connectivity[i]; });
+    numbers<std::int64_t>("offsets", "Int64", 1, false, mesh_.ends.size(),
+                          [&](std::size_t i) { return mesh_.ends[i]; });
+    numbers<unsigned char>("types", "UInt8", 1, false, mesh_.types.size(),
+                           [&](std::size_t i) { return mesh_.types[i]; });
     file_.write("</Cells>\n");
-    point_data();
-    cell_data();
+    data("PointData", mesh_.point_data);
+    data("CellData", mesh_.cell_data);
     file_.write("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   }
 
  private:
-  void point_data() {
-    file_.write("<PointData>\n");
-    for (const Values& values : document_.node_values) {
-      const std::size_t size = document_.points.size() * values.components;
-      if (values.integers.empty())
-        array<double>(values.name, values.components, size, [&](std::size_t i) { return values.reals[i]; });
+  void data(const char* tag, const std::vector<VtkArray>& arrays) {
+    file_.write(fmt::format("<{}>\n", tag));
+    for (const VtkArray& array : arrays) {
+      const bool counted = &arrays == &mesh_.field_data;
+      if (array.type == "String")
+        strings(array);
       else
-        array<std::int64_t>(values.name, values.components, size,
-                            [&](std::size_t i) { return values.integers[i]; });
+        with_number_type(array.type, [&](auto like) {
+          using T = decltype(like);
+          numbers<T>(array.name, array.type, array.components, counted, array.size(), [&](std::size_t i) {
+            return array.integers.empty() ? static_cast<T>(array.reals[i])
+                                          : static_cast<T>(array.integers[i]);
+          });
+        });
     }
-    file_.write("</PointData>\n");
+    file_.write(fmt::format("</{}>\n", tag));
   }
 
-  void cell_data() {
-    file_.write("<CellData>\n");
-    bool several = false, groups = false;
-    for (const ElementBlock& block : document_.blocks) {
-      several = several || block.dim != document_.blocks[0].dim ||
-                block.entity != document_.blocks[0].entity || block.entity < 0 ||
-                block.entity > 1;  // 0 and 1 go without saying
-      groups = groups || block.groups != 0;
-    }
-    if (several) of_blocks("entity", [](const ElementBlock& block) { return block.entity; });
-    if (groups)
-      of_blocks("group", [&](const ElementBlock& block) {
-        const auto& tags = document_.tag_sets[block.groups];
-        return tags.empty() ? 0 : tags[0];
-      });
-    for (const Values& values : document_.element_values) {
-      const std::size_t n = values.components, size = elements_.size() * n;
-      const auto source = [&](std::size_t i) { return elements_[i / n] * n + i % n; };
-      if (values.integers.empty())
-        array<double>(values.name, values.components, size,
-                      [&](std::size_t i) { return values.reals[source(i)]; });
-      else
-        array<std::int64_t>(values.name, values.components, size,
-                            [&](std::size_t i) { return values.integers[source(i)]; });
-    }
-    file_.write("</CellData>\n");
+  void start(const char* tag, const std::string& name, const std::string& type, int components, bool counted,
+             std::size_t count) {
+    file_.write(fmt::format(
+        "<{} type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", tag, type, escaped(name),
+        components,
+        counted ? fmt::format(" NumberOfTuples=\"{}\"", count / static_cast<std::size_t>(components)) : "",
+        binary_ ? "binary" : "ascii"));
   }
 
-  template <class Of>
-  void of_blocks(const std::string& name, const Of& of) {
-    std::vector<std::int64_t> values;
-    values.reserve(elements_.size());
-    std::size_t b = 0;
-    for (std::size_t e : elements_) {
-      while (e >= document_.blocks[b].first + document_.blocks[b].count) ++b;
-      values.push_back(of(document_.blocks[b]));
-    }
-    array<std::int64_t>(name, 1, values.size(), [&](std::size_t i) { return values[i]; });
+  void strings(const VtkArray& array) {
+    std::string bytes;
+    for (const std::string& text : array.texts) (bytes += text) += '\0';
+    start("Array", array.name, "String", array.components, true, array.texts.size());
+    values<unsigned char>(bytes.size(), [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); });
+    file_.write("</Array>\n");
   }
 
   // `value(i)` of type T for i in 0 .. count-1.
   template <class T, class Value>
-  void array(const std::string& name, int components, std::size_t count, const Value& value) {
-    const char* type = std::is_same_v<T, double>         ? "Float64"
-                       : std::is_same_v<T, std::int64_t> ? "Int64"
-                                                         : "UInt8";
-    file_.write(fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"{}\">\n",
-                            type, escaped(name), components, binary_ ? "binary" : "ascii"));
+  void numbers(const std::string& name, const std::string& type, int components, bool counted,
+               std::size_t count, const Value& value) {
+    start("DataArray", name, type, components, counted, count);
+    values<T>(count, value);
+    file_.write("</DataArray>\n");
+  }
+
+  template <class T, class Value>
+  void values(std::size_t count, const Value& value) {
     if (binary_) {
       // Groups of three values make whole groups of three bytes, so that no padding stands inside.
       const std::uint64_t bytes = count * sizeof(T);
@@ -179,47 +162,40 @@ class Writer {
       file_.write("\n");
     } else {
       write_items(file_, count, longest_real + 1, [&](std::size_t i, char* to) {
-        if constexpr (std::is_same_v<T, unsigned char>)
-          return put(put(to, std::int64_t{value(i)}), '\n');
+        if constexpr (std::is_floating_point_v<T>)
+          return put(put(to, static_cast<double>(value(i))), '\n');
+        else if constexpr (std::is_same_v<T, std::uint64_t>)
+          return put(std::to_chars(to, to + longest_integer, static_cast<std::uint64_t>(value(i))).ptr, '\n');
         else
-          return put(put(to, static_cast<T>(value(i))), '\n');
+          return put(put(to, static_cast<std::int64_t>(value(i))), '\n');
       });
     }
-    file_.write("</DataArray>\n");
   }
 
   AtomicFile& file_;
   const Document& document_;
   const bool binary_;
-  std::vector<std::size_t> elements_;  // those that are written
-  std::vector<Index> connectivity_;
-  std::vector<std::int64_t> offsets_;
-  std::vector<unsigned char> types_;
+  const VtkMesh mesh_;
 };
 
 }  // namespace
 
-int vtk_cell_type(int gmsh_type) {
-  for (const Cell& cell : cells)
-    if (cell.gmsh == gmsh_type) return cell.vtk;
-  return 0;
-}
-
-Holds vtu_holds() {
-  Holds holds;
-  holds.element_entities = true;
-  holds.groups = Holds::Groups::first;
-  holds.nodes_each = [](const ElementBlock& block) {
-    return vtk_cell_type(block.type) ? block.nodes_each : 0;
-  };
-  holds.values = [](const Values& values, Of of) {
-    return of != Of::element_node && !values.of_view && values.at.empty() && values.first == 0;
-  };
-  return holds;
-}
-
 void write_vtu(AtomicFile& file, const Document& document, bool binary) {
   Writer(file, document, binary).write();
+}
+
+Holds vtu_holds(const Document& document, bool) {
+  Holds holds = vtk_holds_common(document);
+  holds.values = [common = holds.values](const Values& values, Of of) {
+    return common(values, of) && is_xml(values.name);
+  };
+  for (const Table& table : document.tables) {
+    holds.tables = holds.tables && is_xml(table.name);
+    for (const Column& column : table.columns)
+      for (const std::string& text : column.texts)
+        holds.tables = holds.tables && text.find('\0') == std::string::npos;
+  }
+  return holds;
 }
 
 }  // namespace tetproof::io

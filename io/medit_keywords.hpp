@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keywords of Medit's files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace tetproof::io {
+
+struct MeditKeyword {
+  int code;  ///< in binary files
+  std::string_view name;
+  int element;              ///< Gmsh's type of the elements that it lists; 0: something else
+  std::string_view format;  ///< of a line: i integer, r real, c coordinates
+  bool counted = true;      ///< their number stands in front of the lines
+};
+
+inline constexpr int medit_dimension = 3, medit_vertices = 4, medit_end = 54;
+
+/// Null: no such keyword, or none of a fixed form.
+const MeditKeyword* medit_keyword(int code);
+const MeditKeyword* medit_keyword(std::string_view name);
+/// All that list elements, in the order in which they are written.
+const std::vector<const MeditKeyword*>& medit_elements();
+
+/// A keyword that marks nodes (`element` 0) or elements.
+struct MeditMark {
+  std::string_view name;
+  int element;  ///< Gmsh's type of those that it numbers
+};
+const MeditMark* medit_mark(std::string_view name);
+
+/// The numbers of a section.
+struct MeditLines {
+  std::vector<std::int64_t> integers;  ///< those of all lines, one after the other
+  std::vector<double> reals;
+  std::size_t count = 1;
+};
+/// None if `body` does not have the keyword's form.
+std::optional<MeditLines> medit_lines(const MeditKeyword& keyword, const std::string& body, int dimension);
+/// The body of a section as text: how it is kept when it was binary.
+std::string medit_body(const MeditKeyword& keyword, const MeditLines& lines, int dimension);
+
+}  // namespace tetproof::io

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A document in VTK's terms, and what is left of it there.
+#include "io/vtk_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "io/element_types.hpp"
+#include "io/second_order.hpp"
+
+namespace tetproof::io {
+namespace {
+
+struct Cell {
+  int gmsh, vtk, nodes;
+};
+// clang-format off
+constexpr Cell cells[] = {{15, 1, 1}, {1, 3, 2}, {2, 5, 3}, {3, 9, 4}, {4, 10, 4}, {5, 12, 8}, {6, 13, 6}, {7, 14, 5},
+                          {8, 21, 3}, {9, 22, 6}, {16, 23, 8}, {10, 28, 9}, {11, 24, 10}, {17, 25, 20}, {12, 29, 27},
+                          {18, 26, 15}, {13, 32, 18}, {19, 27, 13}, {26, 35, 4}};
+// clang-format on
+
+// The type of VTK's linear cell of a shape.
+int linear_cell(Shape shape) {
+  constexpr int types[] = {1, 3, 5, 9, 10, 12, 13, 14};
+  return shape <= Shape::pyramid ? types[static_cast<int>(shape)] : 0;
+}
+
+int gmsh_type_of_linear(int vtk) {
+  for (const Cell& cell : cells)
+    if (cell.vtk == vtk) return cell.gmsh;
+  return 0;
+}
+
+bool covers(const Values& values, std::size_t items) {
+  return values.at.empty() && values.nodes.empty() && values.first == 0 && values.components > 0 &&
+         values.size() == items * static_cast<std::size_t>(values.components);
+}
+
+std::string group_array(std::size_t k) {
+  return k == 0 ? "group" : fmt::format("group {}", k + 1);
+}
+
+// The names of cell data that the reader takes for entities and groups.
+bool is_ours(const std::string& name) {
+  if (name == "entity" || name == "CellEntityIds" || name == "group") return true;
+  return name.starts_with("group ") && name.find_first_not_of("0123456789", 6) == std::string::npos;
+}
+
+bool all_of_blocks(const Document& document, auto&& predicate) {
+  return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
+}
+
+std::size_t most_groups(const Document& document) {
+  std::size_t most = 0;
+  for (const ElementBlock& block : document.blocks)
+    most = std::max(most, document.tag_sets[static_cast<std::size_t>(block.groups)].size());
+  return most;
+}
+
+// Names for arrays, each once; a name of ours is not for others.
+class Names {
+ public:
+  std::string ours(const std::string& name) {
+    taken_.insert(name);
+    return name;
+  }
+  std::string operator()(const std::string& wanted, bool of_cells = false) {
+    std::string name = wanted.empty() ? "values" : wanted;
+    for (int k = 2; (of_cells && is_ours(name)) || !taken_.insert(name).second; ++k)
+      name = fmt::format("{} #{}", wanted.empty() ? "values" : wanted, k);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
+
+class Maker {
+ public:
+  Maker(const Document& document, const std::string& entity_name) : document_(document) {
+    cells();
+    Names names;
+    for (const Values& values : document.node_values)
+      add_values(mesh_.point_data, names(values.name), values, nullptr, document.points.size());
+    Names cell_names;
+    if (!all_of_blocks(document, [](const ElementBlock& block) { return block.entity == 0; }))
+      of_blocks(cell_names.ours(entity_name), [](const ElementBlock& block) { return block.entity; });
+    for (std::size_t k = 0; k < most_groups(document); ++k)
+      of_blocks(cell_names.ours(group_array(k)), [&](const ElementBlock& block) {
+        const auto& tags = document.tag_sets[static_cast<std::size_t>(block.groups)];
+        return k < tags.size() ? tags[k] : 0;
+      });
+    for (const Values& values : document.element_values)
+      add_values(mesh_.cell_data, cell_names(values.name, true), values, &mesh_.elements,
+                 document.elements());
+    fields();
+  }
+
+  VtkMesh mesh() { return std::move(mesh_); }
+
+ private:
+  void cells() {
+    for (const ElementBlock& block : document_.blocks) {
+      const VtkCell cell = vtk_cell(block);
+      if (cell.type == 0) continue;
+      const auto order = cell.nodes == block.nodes_each
+                             ? node_order(block.type, NodeOrder::vtk)
+                             : node_order(gmsh_type_of_linear(cell.type), NodeOrder::vtk);
+      for (std::size_t e = 0; e < block.count; ++e) {
+        const Index* nodes = document_.connectivity.data() + block.nodes + e * block.nodes_each;
+        if (std::any_of(nodes, nodes + cell.nodes, [](Index i) { return i < 0; })) continue;
+        mesh_.elements.push_back(block.first + e);
+        mesh_.types.push_back(static_cast<unsigned char>(cell.type));
+        for (int k = 0; k < cell.nodes; ++k)
+          mesh_.connectivity.push_back(nodes[order.empty() ? k : order[k]]);
+        mesh_.ends.push_back(static_cast<std::int64_t>(mesh_.connectivity.size()));
+      }
+    }
+  }
+
+  // Values of `items` nodes or elements, of which `written` are written; null: all.
+  void add_values(std::vector<VtkArray>& to, const std::string& name, const Values& values,
+                  const std::vector<std::size_t>* written, std::size_t items) {
+    if (values.components < 1 || !values.nodes.empty()) return;
+    VtkArray array{.name = name, .components = values.components};
+    const bool whole = covers(values, items) && (!written || written->size() == items);
+    const auto take = [&](const auto& from, auto& own, auto& span, auto filler) {
+      if (whole) {
+        span = from;
+        return;
+      }
+      const auto each = static_cast<std::size_t>(values.components);
+      auto all = std::remove_cvref_t<decltype(from)>(items * each, filler);
+      for (std::size_t k = 0; k < std::min(values.items(), from.size() / each); ++k) {
+        const std::int64_t at =
+            values.at.empty() ? static_cast<std::int64_t>(values.first + k) : std::int64_t{values.at[k]};
+        if (at < 0 || at >= static_cast<std::int64_t>(items)) continue;
+        std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(k * each), each,
+                    all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(at) * each));
+      }
+      if (written && written->size() != items) {
+        std::size_t n = 0;
+        for (const std::size_t e : *written)
+          for (std::size_t c = 0; c < each; ++c) all[n++] = all[e * each + c];
+        all.resize(n);
+      }
+      own.push_back(std::move(all));
+      span = own.back();
+    };
+    if (values.integers.empty())
+      take(values.reals, mesh_.own_reals, array.reals, std::numeric_limits<double>::quiet_NaN());
+    else
+      take(values.integers, mesh_.own_integers, array.integers, std::int64_t{0});
+    if (!values.integers.empty()) array.type = "Int64";
+    to.push_back(std::move(array));
+  }
+
+  template <class Of>
+  void of_blocks(const std::string& name, const Of& of) {
+    std::vector<std::int64_t> values;
+    values.reserve(mesh_.elements.size());
+    std::size_t b = 0;
+    for (const std::size_t e : mesh_.elements) {
+      while (e >= document_.blocks[b].first + document_.blocks[b].count) ++b;
+      values.push_back(of(document_.blocks[b]));
+    }
+    mesh_.own_integers.push_back(std::move(values));
+    mesh_.cell_data.push_back({.name = name, .type = "Int64", .integers = mesh_.own_integers.back()});
+  }
+
+  void fields() {
+    Names names;
+    for (const Table& table : document_.tables)
+      for (const Column& column : table.columns) {
+        if (!column.lengths.empty() || column.components < 1) continue;
+        const bool plain = table.columns.size() == 1 && column.name == table.name;
+        VtkArray array{.name = names(plain ? table.name : table.name + "." + column.name),
+                       .components = column.components,
+                       .reals = column.reals,
+                       .integers = column.integers,
+                       .texts = column.texts};
+        array.type = fits_its_type(column)      ? column.type
+                     : !column.texts.empty()    ? "String"
+                     : !column.integers.empty() ? "Int64"
+                                                : "Float64";
+        mesh_.field_data.push_back(std::move(array));
+      }
+  }
+
+  const Document& document_;
+  VtkMesh mesh_;
+};
+
+}  // namespace
+
+VtkCell vtk_cell(const ElementBlock& block) {
+  if (block.type == polygon) return {7, block.nodes_each};
+  for (const Cell& cell : cells)
+    if (cell.gmsh == block.type && cell.nodes == block.nodes_each) return {cell.vtk, cell.nodes};
+  const ElementType* type = element_type(block.type);
+  if (!type || type->nodes != block.nodes_each) return {};
+  const int linear = linear_cell(type->shape);
+  return linear == 0 ? VtkCell{} : VtkCell{linear, type->corners};
+}
+
+VtkMesh vtk_mesh(const Document& document, const std::string& entity_name) {
+  return Maker(document, entity_name).mesh();
+}
+
+Holds vtk_holds_common(const Document& document) {
+  Holds holds;
+  holds.element_entities = all_of_blocks(document, [](const ElementBlock& block) {
+    const ElementType* type = element_type(block.type);
+    return block.dim == (type ? type->dim : 2);
+  });
+  holds.groups = Holds::Groups::all;
+  holds.groups_of = [&document](const ElementBlock& block) {  // 0 stands for none
+    const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    return std::find(set.begin(), set.end(), 0) == set.end();
+  };
+  holds.nodes_each = [](const ElementBlock& block) { return vtk_cell(block).nodes; };
+
+  std::set<std::string> twice, cell_names, node_names, field_names;
+  for (const Values& values : document.node_values)
+    if (!node_names.insert(values.name).second) twice.insert("n" + values.name);
+  for (const Values& values : document.element_values)
+    if (is_ours(values.name) || !cell_names.insert(values.name).second) twice.insert("e" + values.name);
+  holds.values = [twice, nodes = document.points.size(), elements = document.elements()](const Values& values,
+                                                                                         Of of) {
+    return of != Of::element_node && covers(values, of == Of::node ? nodes : elements) &&
+           values.labels.empty() && !values.of_view && values.time == 0 && values.step == 0 &&
+           values.partition == 0 && values.interpolation.empty() && !values.name.empty() &&
+           !twice.contains((of == Of::node ? "n" : "e") + values.name);
+  };
+  holds.tables = std::all_of(document.tables.begin(), document.tables.end(), [&](const Table& table) {
+    if (table.columns.size() != 1 || table.columns[0].name != table.name || table.name.empty()) return false;
+    const Column& column = table.columns[0];
+    return column.lengths.empty() && column.components > 0 && fits_its_type(column) &&
+           table.rows * static_cast<std::size_t>(column.components) == column_size(column) &&
+           field_names.insert(table.name).second;
+  });
+  return holds;
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arrays as VTK's two file formats have them. Types of numbers go by the names that .vtu files use: Int8 to
+// UInt64, Float32, Float64, and String.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/document.hpp"
+
+namespace tetproof::io {
+
+/// Bytes of a number; 0: no such type, or String.
+std::size_t vtk_type_size(std::string_view type);
+bool is_vtk_type(std::string_view type);
+bool is_real_type(std::string_view type);
+
+/// How many values a column has.
+inline std::size_t column_size(const Column& column) {
+  return column.reals.size() + column.integers.size() + column.texts.size();
+}
+
+/// Appends `count` numbers of `column.type` to its reals or integers. UInt64 beyond 2^63 wraps to negative.
+void append_numbers(const char* from, std::size_t count, std::endian order, Column& column);
+
+/// Whether every value of the column is one of its type, so that writing it as such keeps it.
+bool fits_its_type(const Column& column);
+
+/// A value of the column as a number of C++ type T.
+template <class T>
+T number_at(const Column& column, std::size_t i) {
+  return column.reals.empty() ? static_cast<T>(column.integers[i]) : static_cast<T>(column.reals[i]);
+}
+
+/// Calls `with(T{})` for the C++ type that `type` names, which is one of numbers.
+template <class With>
+void with_number_type(std::string_view type, const With& with) {
+  if (type == "Float64") return with(double{});
+  if (type == "Float32") return with(float{});
+  if (type == "Int64") return with(std::int64_t{});
+  if (type == "UInt64") return with(std::uint64_t{});
+  if (type == "Int32") return with(std::int32_t{});
+  if (type == "UInt32") return with(std::uint32_t{});
+  if (type == "Int16") return with(std::int16_t{});
+  if (type == "UInt16") return with(std::uint16_t{});
+  if (type == "Int8") return with(std::int8_t{});
+  with(std::uint8_t{});
+}
+
+}  // namespace tetproof::io

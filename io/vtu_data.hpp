@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of an array in a .vtu file, however they stand there.
+#pragma once
+
+#include <bit>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/document.hpp"
+
+namespace tetproof::io {
+
+/// What holds for all arrays of a file.
+struct VtuEncoding {
+  const std::string& path;
+  std::string_view bytes;  ///< the whole file
+  std::endian order = std::endian::native;
+  int header_size = 4;      ///< bytes of the numbers in front of binary data
+  bool compressed = false;  ///< with zlib
+};
+
+/// Where an array's numbers stand: from byte `begin` to `end` of the file.
+struct VtuPlace {
+  enum Kind { ascii, base64, raw } kind = ascii;
+  std::size_t begin = 0, end = 0;
+};
+
+/// Reads the values of an array into `column`, whose type is set and valid: reals, integers or texts.
+/// `count`: how many there must be, if that is known. InputError, with line or byte, for anything else.
+void read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place, std::optional<std::size_t> count,
+                    Column& column);
+
+}  // namespace tetproof::io

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The XML of a .vtu file. What stands between its tags, which may be most of many gigabytes, and is no XML
+// where it is appended raw, is kept from the XML parser.
+#include <fmt/format.h>
+
+#include <limits>
+#include <pugixml.hpp>
+#include <vector>
+
+#include "io/error.hpp"
+#include "io/vtk_mesh.hpp"
+#include "io/vtu.hpp"
+#include "io/vtu_data.hpp"
+
+namespace tetproof::io {
+namespace {
+
+constexpr int most_nested = 64;
+
+// The tags of a file, each text between them replaced by its number in `texts`.
+struct Skeleton {
+  struct Text {
+    std::size_t begin, end;
+  };
+  std::string xml;
+  std::vector<Text> texts;
+  std::vector<std::pair<std::size_t, std::size_t>> tags;  // place of each in `xml`, and in the file
+  std::size_t appended = 0;  // where appended data begin, behind the underscore; 0: none
+
+  std::size_t place(std::ptrdiff_t in_xml) const {
+    std::size_t found = 0;
+    for (const auto& [here, there] : tags)
+      if (static_cast<std::ptrdiff_t>(here) <= in_xml)
+        found = there + static_cast<std::size_t>(in_xml) - here;
+    return found;
+  }
+};
+
+class Cutter {
+ public:
+  explicit Cutter(const InputFile& file)
+      : path_(file.path()), bytes_(file.bytes()), at_(bytes_.starts_with("\xEF\xBB\xBF") ? 3 : 0) {}
+
+  Skeleton cut() {
+    while (at_ < bytes_.size() && skeleton_.appended == 0) bytes_[at_] == '<' ? markup() : text();
+    return std::move(skeleton_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view message) const {
+    Scanner(path_, bytes_, at_).fail_in_line(message);
+  }
+
+  void skip_to(std::string_view end) {
+    const std::size_t found = bytes_.find(end, at_);
+    if (found == std::string_view::npos) fail(fmt::format("expected {}, found the end of the file", end));
+    at_ = found + end.size();
+  }
+
+  void text() {
+    const std::size_t begin = at_;
+    at_ = std::min(bytes_.find('<', at_), bytes_.size());
+    if (bytes_.substr(begin, at_ - begin).find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    if (depth_ == 0 && !skeleton_.tags.empty()) fail("expected the end of the file behind </VTKFile>");
+    // A comma where a comment stood between two texts, which is told below.
+    if (!skeleton_.xml.empty() && skeleton_.xml.back() != '>') skeleton_.xml += ',';
+    skeleton_.xml += fmt::format("{}", skeleton_.texts.size());
+    skeleton_.texts.push_back({begin, at_});
+  }
+
+  void markup() {
+    const std::string_view rest = bytes_.substr(at_);
+    if (rest.starts_with("<!--")) return skip_to("-->");
+    if (rest.starts_with("<?")) return skip_to("?>");
+    if (rest.starts_with("<![")) fail("expected no CDATA section");
+    if (rest.starts_with("<!")) return skip_to(">");
+    const std::size_t begin = at_;
+    char quote = '\0';
+    std::size_t attributes = 0;
+    for (++at_; at_ < bytes_.size(); ++at_) {
+      const char c = bytes_[at_];
+      if (quote ? c == quote : c == '"' || c == '\'') {
+        attributes += quote == '\0';
+        quote = quote ? '\0' : c;
+      } else if (!quote && c == '>') {
+        break;
+      }
+    }
+    if (at_ == bytes_.size()) fail("expected the end of a tag, found the end of the file");
+    std::string_view tag = bytes_.substr(begin, ++at_ - begin);
+    // What pugixml makes of it, roughly.
+    memory_ += 64 + 40 * attributes + tag.size();
+    if (memory_ > (std::size_t{64} << 20) + 8 * bytes_.size())
+      fail("more tags than a file of this size needs");
+    skeleton_.tags.emplace_back(skeleton_.xml.size(), begin);
+    const bool closing = tag[1] == '/', alone = tag[tag.size() - 2] == '/';
+    if (tag.starts_with("<AppendedData") && !alone) {
+      skeleton_.xml += tag;
+      skeleton_.xml += "</AppendedData></VTKFile>";
+      at_ = bytes_.find_first_not_of(" \t\r\n", at_);
+      if (at_ >= bytes_.size() || bytes_[at_] != '_') {
+        at_ = std::min(at_, bytes_.size());
+        fail("expected the _ in front of appended data");
+      }
+      skeleton_.appended = at_ + 1;
+      return;
+    }
+    skeleton_.xml += tag;
+    depth_ += closing ? -1 : alone ? 0 : 1;
+    if (depth_ > most_nested) fail(fmt::format("tags are nested more than {} deep", most_nested));
+  }
+
+  const std::string& path_;
+  std::string_view bytes_;
+  std::size_t at_, memory_ = 0;
+  int depth_ = 0;
+  Skeleton skeleton_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const InputFile& file)
+      : file_(file), skeleton_(Cutter(file).cut()), encoding_{.path = file.path(), .bytes = file.bytes()} {
+    document_.path = file.path();
+    document_.format = "vtu";
+    document_.first_node = document_.first_element = 0;
+  }
+
+  Document read() {
+    const pugi::xml_parse_result parsed =
+        xml_.load_buffer_inplace(skeleton_.xml.data(), skeleton_.xml.size(),
+                                 pugi::parse_minimal | pugi::parse_escapes, pugi::encoding_utf8);
+    if (!parsed) fail_at(parsed.offset, fmt::format("expected XML: {}", parsed.description()));
+    const pugi::xml_node root = xml_.child("VTKFile");
+    if (!root) fail_at(0, "expected <VTKFile>");
+    const std::string type = root.attribute("type").value();
+    if (type != "UnstructuredGrid")
+      fail(root, fmt::format("expected VTK's type UnstructuredGrid, found '{}'", type));
+    header(root);
+    const pugi::xml_node grid = root.child("UnstructuredGrid");
+    if (!grid) fail(root, "expected <UnstructuredGrid>");
+    for (const pugi::xml_node array : grid.child("FieldData").children())
+      if (is_array(array)) add_vtk_field(document_, column(array, std::nullopt));
+    std::size_t pieces = 0;
+    for ([[maybe_unused]] const pugi::xml_node one : grid.children("Piece")) ++pieces;
+    if (pieces == 0) fail(grid, "expected <Piece>");
+    for (const pugi::xml_node one : grid.children("Piece")) piece(one, pieces == 1);
+    return std::move(document_);
+  }
+
+ private:
+  [[noreturn]] void fail_at(std::ptrdiff_t in_xml, std::string_view message) const {
+    Scanner(file_.path(), file_.bytes(), std::min(skeleton_.place(in_xml), file_.bytes().size()))
+        .fail_in_line(message);
+  }
+  [[noreturn]] void fail(const pugi::xml_node& node, std::string_view message) const {
+    fail_at(node.offset_debug(), message);
+  }
+
+  static bool is_array(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    return name == "DataArray" || name == "Array";
+  }
+
+  std::size_t count(const pugi::xml_node& node, const char* attribute) const {
+    const char* text = node.attribute(attribute).value();
+    std::int64_t value = 0;
+    if (!parse_integer(text, value) || value < 0)
+      fail(node, fmt::format("expected {}, found '{}'", attribute, text));
+    if (value > std::numeric_limits<Index>::max())
+      fail(node, fmt::format("{} of {} are more than the {} that can be numbered here", attribute, value,
+                             std::numeric_limits<Index>::max()));
+    return static_cast<std::size_t>(value);
+  }
+
+  void header(const pugi::xml_node& root) {
+    const std::string order = root.attribute("byte_order").as_string("LittleEndian");
+    if (order != "LittleEndian" && order != "BigEndian")
+      fail(root, fmt::format("expected byte_order LittleEndian or BigEndian, found '{}'", order));
+    encoding_.order = order == "BigEndian" ? std::endian::big : std::endian::little;
+    const std::string header = root.attribute("header_type").as_string("UInt32");
+    if (header != "UInt32" && header != "UInt64")
+      fail(root, fmt::format("expected header_type UInt32 or UInt64, found '{}'", header));
+    encoding_.header_size = header == "UInt64" ? 8 : 4;
+    const std::string compressor = root.attribute("compressor").value();
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+      fail(root, fmt::format("data compressed by {}, expected vtkZLibDataCompressor or none", compressor));
+    encoding_.compressed = !compressor.empty();
+    if (skeleton_.appended == 0) return;
+    const pugi::xml_node appended = root.child("AppendedData");
+    const std::string encoding = appended.attribute("encoding").as_string("base64");
+    if (encoding != "raw" && encoding != "base64")
+      fail(appended, fmt::format("expected encoding raw or base64, found '{}'", encoding));
+    appended_raw_ = encoding == "raw";
+    const std::size_t end = file_.bytes().rfind("</AppendedData");
+    appended_end_ = end == std::string_view::npos || end < skeleton_.appended ? file_.bytes().size() : end;
+  }
+
+  void piece(const pugi::xml_node& node, bool whole) {
+    const std::size_t points = count(node, "NumberOfPoints"), cells = count(node, "NumberOfCells");
+    VtkPiece piece;
+    const pugi::xml_node place = node.child("Points").find_child(is_array);
+    if (place) {
+      Column coordinates = column(place, points);
+      if (coordinates.components != 3)
+        fail(place, fmt::format("expected points of 3 coordinates, found {}", coordinates.components));
+      if (coordinates.texts.empty()) add_points(coordinates, points, piece);
+    }
+    if (piece.points.size() != points)
+      fail(node, fmt::format("expected the coordinates of {} points", points));
+    for (const pugi::xml_node array : node.child("Cells").children()) {
+      const std::string_view name = array.attribute("Name").value();
+      if (name == "connectivity")
+        piece.connectivity = integers(array, std::nullopt);
+      else if (name == "offsets")
+        piece.ends = integers(array, cells);
+      else if (name == "types")
+        piece.types = integers(array, cells);
+    }
+    if (piece.types.size() != cells) fail(node, fmt::format("expected the types of {} cells", cells));
+    if (piece.ends.size() != cells) fail(node, fmt::format("expected the offsets of {} cells", cells));
+    for (const pugi::xml_node array : node.child("PointData").children())
+      if (is_array(array)) piece.point_data.push_back(column(array, points));
+    for (const pugi::xml_node array : node.child("CellData").children())
+      if (is_array(array)) piece.cell_data.push_back(column(array, cells));
+    add_vtk_piece(document_, std::move(piece), whole);
+  }
+
+  static void add_points(const Column& coordinates, std::size_t points, VtkPiece& piece) {
+    piece.points.resize(points);
+    for (std::size_t i = 0; i < 3 * points; ++i)
+      piece.points[i / 3][static_cast<Eigen::Index>(i % 3)] = number_at<double>(coordinates, i);
+  }
+
+  std::vector<std::int64_t> integers(const pugi::xml_node& node, std::optional<std::size_t> items) {
+    Column values = column(node, items);
+    if (!values.reals.empty() || !values.texts.empty()) fail(node, "expected integers");
+    return std::move(values.integers);
+  }
+
+  Column column(const pugi::xml_node& node, std::optional<std::size_t> items) {
+    Column column{.name = node.attribute("Name").value(), .type = node.attribute("type").value()};
+    if (!is_vtk_type(column.type))
+      fail(node, fmt::format("expected the type of an array, found '{}'", column.type));
+    const char* components = node.attribute("NumberOfComponents").as_string("1");
+    std::int64_t each = 0;
+    // VTK wrote 0 for an array without values.
+    if (!parse_integer(components, each) || each < 0 || each > std::numeric_limits<std::int32_t>::max())
+      fail(node, fmt::format("expected NumberOfComponents, found '{}'", components));
+    column.components = each == 0 ? 1 : static_cast<int>(each);
+    std::optional<std::size_t> values;
+    if (items) values = *items * static_cast<std::size_t>(column.components);
+    read_vtu_array(encoding_, place(node), values, column);
+    if (column_size(column) % static_cast<std::size_t>(column.components) != 0)
+      fail(node,
+           fmt::format("expected a multiple of {} values, found {}", column.components, column_size(column)));
+    return column;
+  }
+
+  VtuPlace place(const pugi::xml_node& node) const {
+    const std::string format = node.attribute("format").as_string("ascii");
+    if (format == "appended") {
+      const char* text = node.attribute("offset").value();
+      std::int64_t offset = 0;
+      if (skeleton_.appended == 0) fail(node, "expected <AppendedData>");
+      if (!parse_integer(text, offset) || offset < 0 ||
+          static_cast<std::uint64_t>(offset) > appended_end_ - skeleton_.appended)
+        fail(node, fmt::format("expected an offset into the {} bytes of appended data, found '{}'",
+                               appended_end_ - skeleton_.appended, text));
+      return {appended_raw_ ? VtuPlace::raw : VtuPlace::base64,
+              skeleton_.appended + static_cast<std::size_t>(offset), appended_end_};
+    }
+    if (format != "ascii" && format != "binary")
+      fail(node, fmt::format("expected format ascii, binary or appended, found '{}'", format));
+    VtuPlace place{format == "ascii" ? VtuPlace::ascii : VtuPlace::base64, 0, 0};
+    std::int64_t text = 0;
+    if (*node.child_value() != '\0') {
+      if (!parse_integer(node.child_value(), text) || text < 0 ||
+          static_cast<std::size_t>(text) >= skeleton_.texts.size())
+        fail(node, "expected an array's values in one piece");
+      place.begin = skeleton_.texts[static_cast<std::size_t>(text)].begin;
+      place.end = skeleton_.texts[static_cast<std::size_t>(text)].end;
+    }
+    return place;
+  }
+
+  const InputFile& file_;
+  Skeleton skeleton_;
+  VtuEncoding encoding_;
+  bool appended_raw_ = false;
+  std::size_t appended_end_ = 0;
+  pugi::xml_document xml_;
+  Document document_;
+};
+
+}  // namespace
+
+Document read_vtu(const InputFile& file) {
+  return Reader(file).read();
+}
+
+}  // namespace tetproof::io
