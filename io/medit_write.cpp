@@ -145,7 +145,8 @@ class Writer {
     for (const Section& section : document_.sections) size += 8 * section.body.size() + 100;
     for (const Section& section : document_.sections)
       if (const MeditKeyword* keyword = medit_keyword(section.name); keyword && writes_section(section, true))
-        for (const MeditLines lines = *medit_lines(*keyword, section.body, 3); const std::int64_t value : lines.integers)
+        for (const MeditLines lines = *medit_lines(*keyword, section.body, 3);
+             const std::int64_t value : lines.integers)
           see(value);
     const bool wide =
         least < std::numeric_limits<std::int32_t>::min() || most > std::numeric_limits<std::int32_t>::max();
@@ -335,6 +336,14 @@ Holds medit_holds(const Document& document, bool binary) {
   Holds holds;
   holds.unknown_nodes = numbers_stay(document);
   holds.groups = Holds::Groups::first;
+  const auto is_none = [&document](const ElementBlock& block) {  // a group that is written as none
+    const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    return !set.empty() && set[0] == 0;
+  };
+  if (std::any_of(document.blocks.begin(), document.blocks.end(), is_none))
+    holds.groups_of = [&document, is_none](const ElementBlock& block) {
+      return document.tag_sets[static_cast<std::size_t>(block.groups)].size() < 2 && !is_none(block);
+    };
   holds.nodes_each = [](const ElementBlock& block) { return place_of(block).nodes; };
   holds.kind = [](const ElementBlock& block) {
     const Place place = place_of(block);

@@ -54,6 +54,12 @@ bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
 
+// 0 and 1, the only one or none, go without saying.
+bool has_entities(const Document& document) {
+  return !all_of_blocks(document,
+                        [](const ElementBlock& block) { return block.entity == 0 || block.entity == 1; });
+}
+
 std::size_t most_groups(const Document& document) {
   std::size_t most = 0;
   for (const ElementBlock& block : document.blocks)
@@ -87,7 +93,7 @@ class Maker {
     for (const Values& values : document.node_values)
       add_values(mesh_.point_data, names(values.name), values, nullptr, document.points.size());
     Names cell_names;
-    if (!all_of_blocks(document, [](const ElementBlock& block) { return block.entity == 0; }))
+    if (has_entities(document))
       of_blocks(cell_names.ours(entity_name), [](const ElementBlock& block) { return block.entity; });
     for (std::size_t k = 0; k < most_groups(document); ++k)
       of_blocks(cell_names.ours(group_array(k)), [&](const ElementBlock& block) {
@@ -213,10 +219,10 @@ VtkMesh vtk_mesh(const Document& document, const std::string& entity_name) {
 
 Holds vtk_holds_common(const Document& document) {
   Holds holds;
-  holds.element_entities = all_of_blocks(document, [](const ElementBlock& block) {
-    const ElementType* type = element_type(block.type);
-    return block.dim == (type ? type->dim : 2);
-  });
+  holds.element_entities = has_entities(document) && all_of_blocks(document, [](const ElementBlock& block) {
+                             const ElementType* type = element_type(block.type);
+                             return block.dim == (type ? type->dim : 2);
+                           });
   holds.groups = Holds::Groups::all;
   holds.groups_of = [&document](const ElementBlock& block) {  // 0 stands for none
     const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];

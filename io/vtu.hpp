@@ -16,7 +16,8 @@ namespace tetproof::io {
 Document read_vtu(const InputFile& file);
 
 /// Coordinates as Float64, integers as Int64; base64 if `binary`. Values become point and cell data, entity
-/// tags and physical groups cell data "entity" and "group", "group 2", ..., where there are any; tables
+/// tags and physical groups cell data "entity" and "group", "group 2", ..., where there are any
+/// (of entities, besides 0 and 1); tables
 /// become field data. Elements that VTK does not have are written by their corners; those that name unknown
 /// nodes are left out. Numbers that are not finite keep VTK itself from reading the ASCII form.
 void write_vtu(AtomicFile& file, const Document& document, bool binary);

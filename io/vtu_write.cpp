@@ -45,7 +45,15 @@ std::string escaped(const std::string& text) {
       safe += '?';
     else if (size > 1)
       safe += text.substr(i, size);
-    else if (c == '&' || c == '<' || c == '>' || c == '"' || c < ' ')
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else if (c < ' ')
       safe += fmt::format("&#{};", static_cast<int>(c));
     else
       safe += c;

@@ -76,12 +76,12 @@ TEST(Convert, UsageAndInput) {
   EXPECT_EQ(said({"a.msh", "b.msh", "--info"}), "tetproof-convert: --info writes no file: leave out OUT\n");
   EXPECT_EQ(
       said({"a.msh", "b.xyz"}),
-      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .vtu .stl .off .obj .ply\n");
+      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .vtu .vtk .mesh .meshb .stl .off .obj .ply\n");
   EXPECT_EQ(said({"a.msh", "b.node", "--binary"}),
             "tetproof-convert: b.node: TetGen .node and .ele is never binary\n");
   EXPECT_EQ(
       said({"a.msh", "b.msh", "--to", "nas"}),
-      "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu stl off obj ply\n");
+      "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off obj ply\n");
   EXPECT_EQ(
       said({"bad.msh", "b.msh"}),
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");

@@ -38,11 +38,12 @@ std::vector<Target> all_targets() {
     for (const bool binary : {false, true}) {
       if (!(binary ? format.binary : format.ascii)) continue;
       const bool both = format.ascii && format.binary;
-      targets.push_back({format.name + (!both    ? ""
-                                        : binary ? "_binary"
-                                                 : "_text"),
-                         "x" + format.endings.front(),
-                         {.format = format.name, .binary = binary}});
+      targets.push_back(
+          {format.name + (!both    ? ""
+                          : binary ? "_binary"
+                                   : "_text"),
+           "x" + (binary && !format.binary_ending.empty() ? format.binary_ending : format.endings.front()),
+           {.format = format.name, .binary = binary}});
     }
   }
   return targets;

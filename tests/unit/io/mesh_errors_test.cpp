@@ -244,7 +244,6 @@ const std::vector<Case> cases{
      {{"a.ele", "123456789 4\n1 1 2 3 1\n"}, {"a.node", nodes3}},
      "a.ele:1: expected the number of tetrahedra, found 123456789, more than the 11 bytes left can hold"},
 
-    {"NotReadYet", {{"a.vtu", "<VTKFile/>"}}, "a.vtu: VTK XML unstructured grid is written, but not read"},
 };
 
 class MeshErrors : public testing::TestWithParam<Case> {};
@@ -263,9 +262,9 @@ TEST(MeshErrors, OfWriting) {
   const Document document;
   EXPECT_EQ(files.message([&] { write_document(files.path("a.xyz"), document); }),
             "a.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh .vol .mtr .var .t2f "
-            ".t2e .f2e .cell .poly .smesh .vtu .stl .off .obj .ply");
+            ".t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl .off .obj .ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.msh"), document, {.format = "msh5"}); }),
-            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen poly smesh vtu stl off obj ply");
+            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off obj ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.ele"), document, {.binary = true}); }),
             "a.ele: TetGen .node and .ele is never binary");
   EXPECT_EQ(files.message([&] { write_document(files.path("none/a.msh"), document); }),

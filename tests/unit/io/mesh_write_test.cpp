@@ -159,7 +159,6 @@ const std::vector<LossCase> loss_cases{
       "numbers of nodes: 10 (the first is 10)", "numbers of elements: 2 (the first is 5)",
       "entities of nodes: 10 (node 10 on entity 6 of dimension 2)",
       "entities with their boxes and boundaries: 1 (5 of dimension 3)",
-      "physical groups beyond an element's first: 1 (element 9 in groups 7 8)",
       "names of physical groups: 1 (skin)", "nodes with parametric coordinates: 3 (node 10)",
       "section $Periodic: 1 (2 bytes)", "section $Mine: 1 (2 bytes)"}},
     {"Stl",
