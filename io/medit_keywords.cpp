@@ -100,8 +100,10 @@ std::string medit_body(const MeditKeyword& keyword, const MeditLines& lines, int
     if (!body.empty()) body += '\n';
     const char* between = "";
     for (const char kind : keyword.format)
-      for (int k = 0; k < (kind == 'c' ? dimension : 1); ++k, between = " ")
-        body += between + (kind == 'i' ? text(lines.integers[integer++]) : text(lines.reals[real++]));
+      for (int k = 0; k < (kind == 'c' ? dimension : 1); ++k, between = " ") {
+        body += between;
+        body += kind == 'i' ? text(lines.integers[integer++]) : text(lines.reals[real++]);
+      }
   }
   return body;
 }

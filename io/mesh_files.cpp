@@ -56,11 +56,6 @@ Document read_one_file(const std::string& path) {
   return Read(InputFile(path));
 }
 
-template <io::Holds (*Holds)(const Document&, bool)>
-io::Holds holds_in_one_file(const std::string&, const Document& document, bool binary) {
-  return Holds(document, binary);
-}
-
 template <void (*Write)(AtomicFile&, const Document&, bool)>
 void write_one_file(const std::string& path, const Document& document, bool binary, const std::string&) {
   AtomicFile file(path);
@@ -148,7 +143,7 @@ const std::vector<Codec>& codecs() {
         .usually_binary = true},
        read_one_file<io::read_vtu>,
        write_one_file<io::write_vtu>,
-       holds_in_one_file<io::vtu_holds>},
+       holds_whatever_the_path<io::vtu_holds>},
       {{.name = "vtk",
         .what = "VTK legacy unstructured grid",
         .endings = {".vtk"},
@@ -156,7 +151,7 @@ const std::vector<Codec>& codecs() {
         .usually_binary = true},
        read_one_file<io::read_vtk>,
        write_one_file<io::write_vtk>,
-       holds_in_one_file<io::vtk_holds>},
+       holds_whatever_the_path<io::vtk_holds>},
       {{.name = "medit",
         .what = "Medit .mesh and .meshb",
         .endings = {".mesh", ".meshb"},
@@ -164,7 +159,7 @@ const std::vector<Codec>& codecs() {
         .binary_ending = ".meshb"},
        read_one_file<io::read_medit>,
        write_one_file<io::write_medit>,
-       holds_in_one_file<io::medit_holds>},
+       holds_whatever_the_path<io::medit_holds>},
       surface<io::write_stl, io::stl_holds>(
           {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true}),
       surface<io::write_off, io::off_holds>(

@@ -105,7 +105,7 @@ TEST(MeditFiles, TextInAnyOrder) {
   EXPECT_EQ(document.node_values[0].at, (std::vector<Index>{2, -1}));
   EXPECT_EQ(document.unknown, std::vector<std::int64_t>{9});
   ASSERT_EQ(document.warnings.size(), 1U);
-  EXPECT_NE(document.warnings[0].find("a.mesh:14: the keyword Mine is not known"), std::string::npos)
+  EXPECT_NE(document.warnings[0].find("a.mesh:13: the keyword Mine is not known"), std::string::npos)
       << document.warnings[0];
 }
 
@@ -166,12 +166,12 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"BinaryVersion", "a.meshb", changed(4, 9),
             "a.meshb: byte 8: expected a version from 1 to 4, found 9"},
         Bad{"BinaryPlace", "a.meshb", changed(24, 5),
-            "a.meshb: byte 28: expected the place of the next keyword, from 28 to 248, found 5"},
+            "a.meshb: byte 28: expected the place of the next keyword, from 28 to 283, found 5"},
         Bad{"BinaryCount", "a.meshb", changed(44, 1 << 30),
             "a.meshb: byte 48: expected the number of vertices, found 1073741824; 112 bytes are left for it"},
         Bad{"BinaryCut", "a.meshb", binary.substr(0, 20),
             "a.meshb: byte 20: expected Vertices, found the end of the file"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 // All that the format holds, both ways, and its numbers beyond 32 bits.
 TEST(MeditFiles, RoundTrips) {

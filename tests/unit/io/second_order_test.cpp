@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"MeditTetrahedron", 11, 4, NodeOrder::medit, gmsh_tetrahedron, vtk_tetrahedron},
                     Case{"TetgenTetrahedron", 11, 4, NodeOrder::tetgen, gmsh_tetrahedron,
                          tetgen_tetrahedron}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 // The face nodes of VTK's hexahedron of 27 nodes lie on x-, x+, y-, y+, z- and z+; Gmsh's on z-, y-, x-, x+,
 // y+ and z+. Those of its wedge on 0143, 1254 and 2035; Gmsh's on 0143, 0352 and 1254.
