@@ -128,7 +128,7 @@ def written_by_vtk(folder):
     for version, binary in itertools.product((42, 51), (False, True)):
         writer = vtk.vtkUnstructuredGridWriter()
         files.append(folder / f"legacy-{version}-{'binary' if binary else 'text'}.vtk")
-        writer.SetFileVersion(version), writer.SetFileType(2 if binary else 1)
+        writer.SetHeader(""), writer.SetFileVersion(version), writer.SetFileType(2 if binary else 1)
         writer.SetInputData(grid), writer.SetFileName(str(files[-1])), writer.Write()
     outputs = set()
     for file in files:
@@ -218,7 +218,8 @@ def orders_of_nodes(folder):
             check(f"type {kind} in {name}: meshio sees the same element",
                   len(mesh.cells) == 1 and mesh.cells[0].type == expected.cells[0].type and
                   np.array_equal(mesh.points[mesh.cells[0].data], expected.points[expected.cells[0].data]))
-            if name == "x.vtk" and kind not in (19,):  # Gmsh 4.8 does not read VTK's quadratic pyramid
+            # Gmsh 4.8 reads no quadratic pyramids of VTK's, and linear wedges not as it writes them: VTK's way.
+            if name == "x.vtk" and kind not in (6, 19):
                 run = subprocess.run([GMSH, "-0", folder / name, "-o", folder / "back.msh", "-format", "msh22"],
                                      capture_output=True, text=True, timeout=60)
                 gmsh_sees(folder, kind, name, points, run)
@@ -238,7 +239,7 @@ def orders_of_nodes(folder):
                     mesh = meshio.read(folder / name)
                 check(f"type {kind} in {name}: meshio sees the same element",
                       mesh.cells[0].type == shape and np.array_equal(mesh.points[mesh.cells[0].data[0]], points))
-        if kind in (4, 5, 6, 7, 8, 9, 11):
+        if kind in (4, 5, 8, 9, 11):  # Gmsh 4.8 reads no prisms and pyramids
             run = subprocess.run([GMSH, "-0", folder / "x.mesh", "-o", folder / "back.msh", "-format", "msh22"],
                                  capture_output=True, text=True, timeout=60)
             gmsh_sees(folder, kind, "x.mesh", points, run)
