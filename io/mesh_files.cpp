@@ -102,7 +102,7 @@ const std::vector<Codec>& codecs() {
          return io::msh_holds(document, "msh41", binary);
        }},
       {{.name = "msh40", .what = "Gmsh .msh 4.0", .endings = {".msh"}, .reads = true, .binary = false},
-       read_msh,
+       read_one_file<io::read_msh>,
        write_msh<write_msh40_text>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh40", binary);

@@ -120,6 +120,13 @@ std::vector<Reader> readers() {
       {"Msh40Binary", "meshes/two_40_binary.msh", mesh},
       {"TetgenNodes", "meshes/two.1.node", mesh, {"meshes/two.1.ele"}},
       {"TetgenTetrahedra", "meshes/two.1.ele", mesh, {"meshes/two.1.node"}},
+      {"VtkText", "meshes/cells_text.vtk", mesh},
+      {"VtkBinary", "meshes/cells_binary.vtk", mesh},
+      {"VtuText", "meshes/cells_text.vtu", mesh},
+      {"VtuZlib", "meshes/cells_base64_zlib.vtu", mesh},
+      {"VtuRaw", "meshes/cells_raw.vtu", mesh},
+      {"MeditText", "meshes/two.mesh", mesh},
+      {"MeditBinary", "meshes/two.meshb", mesh},
       {"Trace", "traces/every_record.jsonl", trace_of},
   };
 }

@@ -80,9 +80,10 @@ def cells(grid):
 
 
 def grid_of_everything():
+    """Real numbers are of few digits, since VTK writes no more in legacy text."""
     grid, points = vtk.vtkUnstructuredGrid(), vtk.vtkPoints()
     points.SetDataTypeToDouble()
-    for p in [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1 / 3), (1, 0, 1), (0.1, 0.7, 2), (3, 2, 1)]:
+    for p in [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0.375), (1, 0, 1), (0.125, 0.75, 2), (3, 2, 1)]:
         points.InsertNextPoint(p)
     grid.SetPoints(points)
     for kind, ids in [(10, [0, 1, 2, 3]), (10, [1, 2, 3, 4]), (5, [0, 1, 2]), (9, [0, 1, 5, 3]), (7, [0, 1, 2, 3, 4]),
@@ -98,8 +99,8 @@ def grid_of_everything():
             array.SetValue(i, value(i))
         to.AddArray(array)
 
-    add(grid.GetPointData(), vtk.vtkDoubleArray, "doubles <&>", 8, 2, lambda i: 0.1 * i - 0.3)
-    add(grid.GetPointData(), vtk.vtkFloatArray, "floats", 8, 1, lambda i: i / 3)
+    add(grid.GetPointData(), vtk.vtkDoubleArray, "doubles <&>", 8, 2, lambda i: i / 8 - 0.25)
+    add(grid.GetPointData(), vtk.vtkFloatArray, "floats", 8, 1, lambda i: i / 4)
     for kind in (vtk.vtkSignedCharArray, vtk.vtkShortArray, vtk.vtkIntArray, vtk.vtkLongLongArray):
         add(grid.GetCellData(), kind, kind.__name__, 8, 1, lambda i: -3 * i)
     for kind in (vtk.vtkUnsignedCharArray, vtk.vtkUnsignedShortArray, vtk.vtkUnsignedIntArray,
@@ -169,6 +170,8 @@ elements = [
     (18, "wedge", "01 02 03 12 14 25 34 35 45"), (13, "wedge", "01 02 03 12 14 25 34 35 45 0134 0235 1245"),
     (19, "pyramid", "01 03 04 12 14 23 24 34"),
 ]
+# Gmsh 4.8 writes VTK's order of these, and reads them back in another one; quadratic pyramids it does not know.
+gmsh_reads_otherwise = {6, 12, 13, 17, 18, 19}
 in_medit = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}
 
 
@@ -210,29 +213,27 @@ def orders_of_nodes(folder):
                 cell.EvaluateLocation(vtk.reference(0), parametric[3 * k:3 * k + 3], at, weights)
                 check(f"type {kind} in {name}: VTK finds node {k} where it is",
                       np.allclose(at, grid.GetPoint(cell.GetPointId(k)), atol=1e-12))
-            with warnings.catch_warnings():
-                warnings.simplefilter("error")
-                mesh = meshio.read(folder / name)
-                expected = meshio.read(folder / "in.msh")
-            # meshio puts Gmsh's orders into VTK's, in which it keeps all cells.
-            check(f"type {kind} in {name}: meshio sees the same element",
-                  len(mesh.cells) == 1 and mesh.cells[0].type == expected.cells[0].type and
-                  np.array_equal(mesh.points[mesh.cells[0].data], expected.points[expected.cells[0].data]))
-            # Gmsh 4.8 reads no quadratic pyramids of VTK's, and linear wedges not as it writes them: VTK's way.
-            if name == "x.vtk" and kind not in (6, 19):
-                run = subprocess.run([GMSH, "-0", folder / name, "-o", folder / "back.msh", "-format", "msh22"],
-                                     capture_output=True, text=True, timeout=60)
+            if kind not in (13, 18, 19):  # which meshio 5.0 has no use for
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    mesh = meshio.read(folder / name)
+                    expected = meshio.read(folder / "in.msh")
+                # meshio puts Gmsh's orders into VTK's, in which it keeps all cells.
+                check(f"type {kind} in {name}: meshio sees the same element",
+                      len(mesh.cells) == 1 and mesh.cells[0].type == expected.cells[0].type and
+                      np.array_equal(mesh.points[mesh.cells[0].data], expected.points[expected.cells[0].data]))
+            if name == "x.vtk" and kind not in gmsh_reads_otherwise:
+                run = gmsh(folder, name, "back.msh", "msh22")
                 gmsh_sees(folder, kind, name, points, run)
-            convert(folder / name, folder / "again.msh", "--to", "msh22")
-            check(f"type {kind} comes back from {name}",
-                  element_of(folder / "again.msh") == (kind, [tuple(p) for p in points]))
+            comes_back(folder, name, kind, points)
+        if kind != 19:
+            gmsh(folder, "in.msh", "gmsh.vtk", "vtk")
+            comes_back(folder, "gmsh.vtk", kind, points)
         if kind not in in_medit:
             continue
         for name in ("x.mesh", "x.meshb"):
             convert(folder / "in.msh", folder / name)
-            convert(folder / name, folder / "again.msh", "--to", "msh22")
-            check(f"type {kind} comes back from {name}",
-                  element_of(folder / "again.msh") == (kind, [tuple(p) for p in points]))
+            comes_back(folder, name, kind, points)
             if kind < 8:
                 with warnings.catch_warnings():
                     warnings.simplefilter("error")
@@ -240,9 +241,18 @@ def orders_of_nodes(folder):
                 check(f"type {kind} in {name}: meshio sees the same element",
                       mesh.cells[0].type == shape and np.array_equal(mesh.points[mesh.cells[0].data[0]], points))
         if kind in (4, 5, 8, 9, 11):  # Gmsh 4.8 reads no prisms and pyramids
-            run = subprocess.run([GMSH, "-0", folder / "x.mesh", "-o", folder / "back.msh", "-format", "msh22"],
-                                 capture_output=True, text=True, timeout=60)
-            gmsh_sees(folder, kind, "x.mesh", points, run)
+            gmsh_sees(folder, kind, "x.mesh", points, gmsh(folder, "x.mesh", "back.msh", "msh22"))
+
+
+def comes_back(folder, name, kind, points):
+    convert(folder / name, folder / "again.msh", "--to", "msh22")
+    found = element_of(folder / "again.msh")
+    check(f"type {kind} comes back from {name}: {found}", found == (kind, [tuple(p) for p in points]))
+
+
+def gmsh(folder, name, out, form):
+    return subprocess.run([GMSH, "-0", folder / name, "-o", folder / out, "-format", form], capture_output=True,
+                          text=True, timeout=60)
 
 
 def element_of(path):

@@ -81,7 +81,7 @@ TEST(MeditFiles, BinaryOfAllVersionsAndByteOrders) {
       EXPECT_EQ(test::text_of(document, false),
                 four_points +
                     "e 1 4 3/0 g7 p: 1 2 3 ?9\ne 2 1 1/0 g p: 1 2\ne 3 1 1/0 g4 p: 2 3\n"
-                    "v nodes references 1: 0 5 0 -3\nv elements Ridges 1: 1\nS Normals [1\n0.5 0 -1]\n")
+                    "v nodes references 1: 0 5 0 -3\nv elements Ridges 1 at 3: 1\nS Normals [1\n0.5 0 -1]\n")
           << version;
       ASSERT_EQ(document.element_values.size(), 1U);
       EXPECT_EQ(document.element_values[0].at, std::vector<Index>{2});  // the second edge
@@ -100,7 +100,8 @@ TEST(MeditFiles, TextInAnyOrder) {
                                 "Mine 3\n  # kept\n 1 2\n\nNormals\n1\n0 1\nEnd\n"));
   EXPECT_EQ(test::text_of(document, false),
             "n 1 0 0 0\nn 2 0.1 0 0\nn 3 0 0.001 0\ne 1 2 2/0 g8 p: 1 2 3\ne 2 2 2/0 g p: 2 1 3\n"
-            "v nodes RequiredVertices 1: 1 1\nv nodes Corners 1: 1\nS Mine [3\n  # kept\n 1 2]\nS Normals "
+            "v nodes RequiredVertices 1 at 3 ?9: 1 1\nv nodes Corners 1 at 1: 1\nS Mine [3\n  # kept\n 1 "
+            "2]\nS Normals "
             "[1\n0 1 0]\n");
   EXPECT_EQ(document.node_values[0].at, (std::vector<Index>{2, -1}));
   EXPECT_EQ(document.unknown, std::vector<std::int64_t>{9});

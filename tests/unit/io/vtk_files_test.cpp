@@ -113,7 +113,7 @@ TEST(VtuFiles, PiecesOneAfterTheOther) {
   EXPECT_EQ(test::text_of(document, false),
             four_points +
                 "n 4 0 0 0\nn 5 1 0 0\nn 6 0 1 0\nn 7 0 0 1\ne 0 4 3/0 g p: 0 1 2 3\ne 1 4 3/0 g p: 4 5 6 7\n"
-                "v elements a<\nb 1: -3 -3\nv elements own 1: 0.1\n");
+                "v elements a<\nb 1: -3 -3\nv elements own 1 at 1: 0.1\n");
   EXPECT_EQ(document.element_values[1].first, 1U);
 }
 
