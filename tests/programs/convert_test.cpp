@@ -76,7 +76,7 @@ TEST(Convert, UsageAndInput) {
   EXPECT_EQ(said({"a.msh", "b.msh", "--info"}), "tetproof-convert: --info writes no file: leave out OUT\n");
   EXPECT_EQ(
       said({"a.msh", "b.xyz"}),
-      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .vtu .vtk .mesh .meshb .stl .off .obj .ply\n");
+      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl .off .obj .ply\n");
   EXPECT_EQ(said({"a.msh", "b.node", "--binary"}),
             "tetproof-convert: b.node: TetGen .node and .ele is never binary\n");
   EXPECT_EQ(
