@@ -18,8 +18,8 @@ namespace tetproof::io {
 /// counts are the title. 4OFF, nOFF and binary OFF are refused. Throws InputError.
 SurfaceDocument read_off(const InputFile& file, Wanted wanted);
 
-/// OFF as text, exact: points, and all points, lines and faces by their corners, but for those that name
-/// nodes which do not exist; values and title as they are read.
+/// OFF as text, exact: all points, and faces by their corners, but for those that name nodes which do not
+/// exist; lines and points if the document was read from an OFF; values and title as they are read.
 void write_off(AtomicFile& file, const Document& document, bool binary = false);
 
 Holds off_holds(const Document& document, bool binary);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/large_pages.hpp"
 #include "io/node_index.hpp"
 #include "io/off.hpp"
 
@@ -92,7 +93,7 @@ class Reader {
   void read_vertices(Scanner& scanner, std::size_t count) {
     auto& points = source_.document.points;
     check_countable(file_.path(), count);
-    points.reserve(count);
+    reserve_in_large_pages(points, count);
     Rows normals, colors, textures;
     const std::size_t normal = keyword_.normal ? 3 : 0, texture = keyword_.texture ? 2 : 0;
     std::size_t dropped = 0;
@@ -124,8 +125,8 @@ class Reader {
     NodeIndex nodes(document);
     // No triangle is shorter than "3 0 1 2".
     const std::size_t likely = std::min<std::size_t>(count, scanner.remaining() / 7);
-    document.connectivity.reserve(3 * likely);
-    if (surface_) source_.places.reserve(likely);
+    reserve_in_large_pages(document.connectivity, 3 * likely);
+    if (surface_) reserve_in_large_pages(source_.places, likely);
     Rows colors;
     std::size_t dropped = 0;
     std::vector<Index> corners;

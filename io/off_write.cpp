@@ -9,6 +9,11 @@
 namespace tetproof::io {
 namespace {
 
+// Many programs take a face of fewer than three corners for an error. It is written where it stood in an OFF.
+bool keeps_thin(const Document& document) {
+  return document.format == "off";
+}
+
 // The values that OFF has a place for.
 struct Kept {
   const Values *normal = nullptr, *color = nullptr, *texture = nullptr;
@@ -41,7 +46,9 @@ void write_off(AtomicFile& file, const Document& document, bool) {
       fmt::format("{}{}{}OFF\n", kept.texture ? "ST" : "", kept.color ? "C" : "", kept.normal ? "N" : ""));
   write_title(file, "#", title_in_lines(document.title) ? document.title : "");
   std::vector<KeptElement> faces;
-  for_each_kept(document, [&](const KeptElement& face) { faces.push_back(face); });
+  for_each_kept(document, [&](const KeptElement& face) {
+    if (face.corners >= 3 || keeps_thin(document)) faces.push_back(face);
+  });
   file.write(fmt::format("{} {} 0\n", document.points.size(), faces.size()));
 
   write_items(file, document.points.size(), 12 * (longest_decimal + 1), [&](std::size_t i, char* to) {
@@ -64,13 +71,17 @@ void write_off(AtomicFile& file, const Document& document, bool) {
 }
 
 Holds off_holds(const Document& document, bool) {
-  const bool all = keeps_all_elements(document, corners_kept);
+  const auto nodes_each = [thin = keeps_thin(document)](const ElementBlock& block) {
+    const int corners = corners_kept(block);
+    return corners >= 3 || thin ? corners : 0;
+  };
+  const bool all = keeps_all_elements(document, nodes_each);
   const Kept kept(document);
   std::vector<const Values*> held{kept.normal, kept.color, kept.texture};
   if (all) held.insert(held.end(), kept.face_colors.held().begin(), kept.face_colors.held().end());
   Holds holds;
   holds.title = title_in_lines(document.title);
-  holds.nodes_each = corners_kept;
+  holds.nodes_each = nodes_each;
   holds.values = [held](const Values& values, Of) {
     return std::find(held.begin(), held.end(), &values) != held.end();
   };

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "io/error.hpp"
+#include "io/large_pages.hpp"
 #include "io/node_index.hpp"
 #include "io/ply.hpp"
 #include "io/ply_header.hpp"
@@ -200,7 +201,7 @@ class Reader {
                                             : -1);
     std::vector<Stored> stored(axis.size());
     auto& points = source_.document.points;
-    points.reserve(static_cast<std::size_t>(element.count));
+    reserve_in_large_pages(points, static_cast<std::size_t>(element.count));
     for (std::int64_t i = 0; i < element.count; ++i) {
       data_.start_instance();
       Eigen::Vector3d& point = points.emplace_back();
@@ -237,8 +238,8 @@ class Reader {
     // No face with three corners is shorter.
     const std::size_t likely = std::min<std::size_t>(static_cast<std::size_t>(element.count),
                                                      data_.remaining() / (header_.text ? 8 : 4));
-    document.connectivity.reserve(3 * likely);
-    if (surface_) source_.places.reserve(likely);
+    reserve_in_large_pages(document.connectivity, 3 * likely);
+    if (surface_) reserve_in_large_pages(source_.places, likely);
     std::size_t list = 0;
     while (!names_corners(element.properties[list])) ++list;
     std::vector<Stored> stored(element.properties.size());

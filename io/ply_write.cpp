@@ -326,8 +326,8 @@ class Writer {
     std::string text = fmt::format("ply\nformat {} 1.0\n", binary_ ? "binary_little_endian" : "ascii");
     if (title_in_lines(document_.title))
       for (const std::string& line : title_lines(document_.title)) {
-        const bool info = line.starts_with("obj_info ");
-        text += info ? line : line.empty() ? "comment" : "comment " + line;
+        if (!line.starts_with("obj_info ")) text += line.empty() ? "comment" : "comment ";
+        text += line;
         text += "\n";
       }
     const auto element = [&](const Part& part) {

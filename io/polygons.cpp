@@ -12,7 +12,7 @@
 #include <span>
 #include <string>
 
-#include "io/error.hpp"
+#include "io/large_pages.hpp"
 #include "io/weld.hpp"
 
 namespace tetproof::io {
@@ -109,7 +109,7 @@ class Faces {
     std::size_t triangles = 0;
     for (const ElementBlock& block : document.blocks)
       if (block.dim == 2) triangles += block.count * static_cast<std::size_t>(block.nodes_each - 2);
-    surface_.triangles.reserve(triangles);
+    reserve_in_large_pages(surface_.triangles, triangles);
     for (const ElementBlock& block : document.blocks) {
       const bool face = block.dim == 2;
       if (!face && document.format != "off") continue;
@@ -137,6 +137,11 @@ class Faces {
 };
 
 void Faces::add(std::span<const Index> face, std::size_t place) {
+  if (face.size() == 3 && face[0] >= 0 && face[1] >= 0 && face[2] >= 0) {  // nearly all are
+    const auto at = [&](Index i) { return moved_.empty() ? i : moved_[static_cast<std::size_t>(i)]; };
+    surface_.triangles.push_back({at(face[0]), at(face[1]), at(face[2])});
+    return;
+  }
   if (face.size() < 3) fail(place, fmt::format("face has {} corners, expected at least 3", face.size()));
   corners_.clear();
   for (const Index corner : face) {
@@ -151,10 +156,6 @@ void Faces::add(std::span<const Index> face, std::size_t place) {
   }
   auto& triangles = surface_.triangles;
   const std::array<Index, 3> as_named{corners_[0], corners_[1], corners_[2]};
-  if (face.size() == 3) {
-    triangles.push_back(as_named);
-    return;
-  }
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
   const std::size_t n = corners_.size();

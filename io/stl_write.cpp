@@ -82,6 +82,13 @@ std::vector<Solid> solids_of(const Document& document) {
       if (nodes_exist(node, block.nodes_each))
         add_fan(solids.back().facets, document.points, {block.first + e, corners, node});
   }
+  // Groups that no element is in, but that have a name.
+  for (const GroupName& name : document.group_names) {
+    const bool used = std::any_of(solids.begin(), solids.end(),
+                                  [&](const Solid& solid) { return solid.group.number == name.group; });
+    if (name.dim == 2 && name.group != 0 && !name.name.empty() && !used)
+      solids.push_back({{name.name, name.group}, {}});
+  }
   return solids;
 }
 
@@ -97,12 +104,14 @@ const Values* attributes_of(const Document& document) {
   return nullptr;
 }
 
-// A header that starts with "solid" would make others take the file for text.
+// A header that starts with "solid" would make others take the file for text, if there is room to avoid it.
 std::string header_of(const std::string& title) {
   std::string start = title.substr(0, 5);
   for (char& c : start)
     if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
-  return start == "solid" ? " " + title : title;
+  std::string header = title.substr(0, 80);
+  if (start == "solid" && header.size() < 80) header.insert(header.begin(), ' ');
+  return header;
 }
 
 bool triangles_only(const ElementBlock& block) {
@@ -114,7 +123,7 @@ void write_binary(AtomicFile& file, const Document& document, const std::vector<
   for (const Solid& solid : solids) count += solid.facets.size();
   if (count > std::numeric_limits<std::uint32_t>::max())
     throw InputError(fmt::format("STL counts at most 4294967295 triangles, found {}", count));
-  std::string header = header_of(document.title).substr(0, 80);
+  std::string header = header_of(document.title);
   header.resize(stl_header_bytes);
   store(header.data() + 80, static_cast<std::uint32_t>(count), std::endian::little);
   file.write(header);
@@ -168,8 +177,8 @@ Holds stl_holds(const Document& document, bool binary) {
   holds.cuts_polygons = true;
   holds.single = binary;
   holds.nodes_each = [](const ElementBlock& block) { return triangles_only(block) ? 3 : 0; };
-  holds.title = document.title.empty() || (binary && document.title == stl_title(document.title) &&
-                                           header_of(document.title).size() <= 80);
+  holds.title = document.title.empty() ||
+                (binary && document.title == stl_title(document.title) && document.title.size() <= 80);
   const bool all = keeps_all_elements(document, holds.nodes_each);
   const Values* attributes = binary && all ? attributes_of(document) : nullptr;
   holds.values = [attributes](const Values& values, Of) { return &values == attributes; };
@@ -178,8 +187,7 @@ Holds stl_holds(const Document& document, bool binary) {
   holds.groups = Holds::Groups::first;
   std::set<std::pair<std::int64_t, std::string>> names;
   for (const Solid& solid : solids_of(document))
-    if (!solid.facets.empty() && !solid.group.name.empty())
-      names.insert({solid.group.number, solid.group.name});
+    if (!solid.group.name.empty()) names.insert({solid.group.number, solid.group.name});
   holds.name = [names](const GroupName& name) {
     return name.dim == 2 && names.count({name.group, name.name}) > 0;
   };

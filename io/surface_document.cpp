@@ -35,7 +35,7 @@ void add_element(Document& document, std::span<const Index> nodes, std::int32_t 
                                .first = document.elements(),
                                .nodes = document.connectivity.size()});
   ++document.blocks.back().count;
-  document.connectivity.insert(document.connectivity.end(), nodes.begin(), nodes.end());
+  for (const Index node : nodes) document.connectivity.push_back(node);
 }
 
 void check_countable(const std::string& path, std::size_t points) {

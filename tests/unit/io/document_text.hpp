@@ -62,7 +62,7 @@ inline std::string text_of(const Document& document, bool with_format = true) {
       if (v.of_view || v.first != 0 || !v.at.empty()) {
         text += " at";
         for (std::size_t i = 0; i < v.items(); ++i)
-          text += " " + name(v.at.empty() ? static_cast<Index>(v.first + i) : v.at[i]);
+          text.append(" ").append(name(v.at.empty() ? static_cast<Index>(v.first + i) : v.at[i]));
       }
       if (!v.nodes.empty()) text += fmt::format(" of {}", fmt::join(v.nodes, " "));
       text += fmt::format(": {}{}\n", fmt::join(v.reals, " "), fmt::join(v.integers, " "));
