@@ -10,6 +10,7 @@
 #include "io/node_index.hpp"
 #include "io/obj.hpp"
 #include "io/obj_names.hpp"
+#include "io/obj_state.hpp"
 #include "io/tokens.hpp"
 
 namespace tetproof::io {
@@ -55,67 +56,6 @@ std::string name_field(Scanner& scanner) {
 bool is_face(std::string_view statement) {
   return statement == "f" || statement == "fo";
 }
-
-// Names in the order of their first use.
-class Labels {
- public:
-  std::int64_t operator()(const std::string& name) {
-    const auto [place, is_new] = known_.try_emplace(name, static_cast<std::int64_t>(names_.size()));
-    if (is_new) names_.push_back(name);
-    return place->second;
-  }
-  std::vector<std::string> take() { return std::move(names_); }
-
- private:
-  std::vector<std::string> names_;
-  std::unordered_map<std::string, std::int64_t> known_;
-};
-
-// A statement that holds for the elements below it: nothing is stored until there is one.
-struct State {
-  bool said = false;
-  std::string name;         // as it stands now
-  std::int64_t number = 0;  // likewise; -1: a name not yet numbered
-  std::vector<std::int64_t> of_elements;
-  Labels labels;
-
-  void set(std::string text) { said = true, name = std::move(text), number = -1; }
-  void add_element(std::size_t elements_before) {
-    if (!said) return;
-    if (of_elements.empty() && elements_before > 0) of_elements.assign(elements_before, labels(""));
-    if (number < 0) number = labels(name);
-    of_elements.push_back(number);
-  }
-};
-
-// Values of corners: `vt` or `vn`.
-struct Corners {
-  std::vector<std::array<double, 3>> all;
-  std::int64_t above = 0;  // how many stand above the statement at hand
-  int components = 0;
-  std::size_t bad = 0;  // elements that name one that does not exist, or none at some corners
-  std::vector<bool> used;
-  std::vector<std::int64_t> named;  // by the element at hand, from 0; none: -1
-  Values values;
-
-  void add_element(std::size_t element, bool missing) {
-    const auto count = static_cast<std::int64_t>(all.size());
-    const bool none = std::all_of(named.begin(), named.end(), [](std::int64_t i) { return i == none_named; });
-    if (none && !missing) return;
-    if (std::any_of(named.begin(), named.end(), [&](std::int64_t i) { return i < 0 || i >= count; })) {
-      ++bad;
-      return;
-    }
-    values.at.push_back(static_cast<Index>(element));
-    values.nodes.push_back(static_cast<std::int32_t>(named.size()));
-    for (const std::int64_t i : named) {
-      const auto& numbers = all[static_cast<std::size_t>(i)];
-      values.reals.insert(values.reals.end(), numbers.begin(), numbers.begin() + components);
-      used[static_cast<std::size_t>(i)] = true;
-    }
-  }
-  static constexpr std::int64_t none_named = INT64_MIN;
-};
 
 class Reader {
  public:
@@ -163,7 +103,7 @@ class Reader {
       ++odd_points_;
   }
 
-  void read_corner_value(Scanner& scanner, Corners& corners, int least) {
+  void read_corner_value(Scanner& scanner, ObjCorners& corners, int least) {
     std::array<double, 3> numbers{};
     int count = 0;
     for (std::string_view field = next_field(scanner); !field.empty(); field = next_field(scanner), ++count) {
@@ -239,12 +179,12 @@ class Reader {
           fmt::format("face names vertex {}, but only {} stand above it", value, points_above_));
     if (!surface_) {
       const std::size_t second = rest.find('/', 1);
-      const auto named = [&](Corners& corners, std::string_view text) {
+      const auto named = [&](ObjCorners& corners, std::string_view text) {
         std::int64_t i;
         const bool is_number = parse_integer(text, i);
         if (!is_number && !text.empty()) scanner.fail("a vertex as in 7, 7/1, 7//3, 7/1/3 or -1", field);
         corners.named.push_back(is_number && i != 0 ? std::max<std::int64_t>(position(i, corners.above), -1)
-                                : text.empty()      ? Corners::none_named
+                                : text.empty()      ? ObjCorners::none_named
                                                     : -1);
         slashes = slashes || !text.empty();
       };
@@ -260,7 +200,7 @@ class Reader {
     if (surface_)
       source_.places.push_back(place);
     else
-      for (State* state : {&object_, &material_, &smoothing_}) state->add_element(element);
+      for (ObjState* state : {&object_, &material_, &smoothing_}) state->add_element(element);
     io::add_element(document, nodes,
                     names_.of(type_of_corners(nodes.size()) == 15 ? 0
                               : nodes.size() == 2                 ? 1
@@ -277,7 +217,8 @@ class Reader {
       start.fail_in_line(fmt::format("face has {} corners, expected at least 3", corners_.size()));
     }
     if (!surface_ && slashes)
-      for (Corners* values : {&texture_, &normal_}) values->add_element(source_.document.elements(), false);
+      for (ObjCorners* values : {&texture_, &normal_})
+        values->add_element(source_.document.elements(), false);
     add(corners_, place);
   }
 
@@ -377,7 +318,7 @@ class Reader {
     give_state(object_, "object", true);
     give_state(material_, "material", true);
     give_state(smoothing_, "smoothing", false);
-    for (Corners* corners : {&texture_, &normal_}) {
+    for (ObjCorners* corners : {&texture_, &normal_}) {
       Values& values = corners->values;
       const char* what = corners == &texture_ ? "texture coordinates" : "normals";
       if (corners->bad > 0)
@@ -405,7 +346,7 @@ class Reader {
     }
   }
 
-  void give_state(State& state, const char* name, bool labelled) {
+  void give_state(ObjState& state, const char* name, bool labelled) {
     const bool any = labelled ? !state.of_elements.empty()
                               : std::any_of(state.of_elements.begin(), state.of_elements.end(),
                                             [](std::int64_t n) { return n != 0; });
@@ -425,8 +366,8 @@ class Reader {
   SurfaceDocument source_;
   std::size_t first_element_ = 0;
   std::int64_t points_above_ = 0;
-  Corners texture_, normal_;
-  State object_, material_, smoothing_;
+  ObjCorners texture_, normal_;
+  ObjState object_, material_, smoothing_;
   Rows weights_, colors_;
   GroupNumbers names_;
   std::vector<std::string> groups_;  // of the statement at hand
