@@ -273,7 +273,9 @@ class Parts {
     Dice dice = this->dice(Feature::sections);
     static const char* const formats[] = {"msh22", "msh41", "msh40"};
     for (std::int64_t k = 1 + dice.below(2); k > 0; --k)
-      d_.sections.push_back({.name = k == 1 ? "Mine" : "Yours",
+      d_.sections.push_back({.name = k == 1           ? "Mine"
+                                     : dice.chance(2) ? "Yours"
+                                                      : "InterpolationScheme",
                              .body = dice.chance(2) ? "1 2 3\n# not a comment \"\n" : "x\n\n",
                              .format = formats[dice.index(3)],
                              .binary = dice.chance(4),
