@@ -58,7 +58,7 @@ class Comparison {
     for (std::size_t e = 0; e < new_.size(); ++e)
       if (pairs_.element_before[e] != none) element(old_[at(pairs_.element_before[e])], new_[e]);
     for (const Difference& d : differences_of_entities(before_, after_, pairs_))
-      add(d.item, d.count, d.example);
+      add(d.item, d.count, d.example, d.unsure);
     parts();
     return std::move(differences_);
   }
@@ -117,7 +117,24 @@ class Comparison {
         add(fmt::format("nodes between the corners of {}", kind_of(old_[e])), 1, example);
     }
     for (std::size_t e = 0; e < new_.size(); ++e)
-      if (pairs_.element_before[e] == none) add("gained elements", 1, fmt::format("element {}", new_[e].tag));
+      if (pairs_.element_before[e] == none && !of_a_polygon(new_[e]))
+        add("gained elements", 1, fmt::format("element {}", new_[e].tag));
+  }
+
+  // Whether a triangle is cut out of a polygon that did not come back itself.
+  bool of_a_polygon(const Element& triangle) const {
+    if (triangle.type != io::triangle3) return false;
+    for (std::size_t e = 0; e < old_.size(); ++e) {
+      const Element& from = old_[e];
+      if (pairs_.element_after[e] != none || (from.type != io::quadrangle4 && from.type != io::polygon))
+        continue;
+      if (std::all_of(triangle.nodes.begin(), triangle.nodes.end(), [&](Index node) {
+            return node >= 0 && std::find(from.nodes.begin(), from.nodes.end(),
+                                          pairs_.node_before[at(node)]) != from.nodes.end();
+          }))
+        return true;
+    }
+    return false;
   }
 
   void order_and_numbers() {
@@ -146,10 +163,8 @@ class Comparison {
     }
     nodes_renumbered_ = was != is && !(counts_up(was) && counts_up(is));
     if (nodes_renumbered_)
-      add("numbers of nodes", static_cast<std::int64_t>(before_.points.size()),
-          fmt::format("the first was {}", was[0]));
-    else if (!in_order && was == is)
-      add("order of nodes", 1, "");
+      add("numbers of nodes", static_cast<std::int64_t>(was.size()), fmt::format("the first was {}", was[0]));
+    if (!in_order) add("order of nodes", 1, "");
   }
 
   void element(const Element& was, const Element& is) {

@@ -61,6 +61,7 @@ bool follows(const Document& document, const std::vector<Element>& elements, con
   for (std::size_t i = 0; i < places.size(); ++i)
     if (places[i].any && places[i].dim == entity.dim && places[i].entity == entity.tag)
       box.take(document.points[i]);
+  if (entity.dim == 0) box.high = box.low;  // a point's coordinates stand in both halves
   for (int k = 0; k < 3; ++k) told = told && entity.box[k] == box.low[k] && entity.box[3 + k] == box.high[k];
   return told;
 }
@@ -70,8 +71,9 @@ bool follows(const Document& document, const std::vector<Element>& elements, con
 std::vector<Difference> differences_of_entities(const Document& before, const Document& after,
                                                 const Pairing& pairs) {
   std::vector<Difference> list;
-  const auto add = [&](const std::string& item, std::int64_t count, const std::string& example) {
-    if (count > 0) list.push_back({item, count, example});
+  const auto add = [&](const std::string& item, std::int64_t count, const std::string& example,
+                       bool unsure = false) {
+    if (count > 0) list.push_back({item, count, example, unsure});
   };
   const std::vector<Element> was = elements_of(before), is = elements_of(after);
 
@@ -93,10 +95,11 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
 
   // Of nodes.
   const std::vector<NodePlace> nodes_were = places_of(before), nodes_are = places_of(after);
-  bool moved = false, parameters_lost = false;
+  bool moved = false, parameters_lost = false, any_place = false;
   std::int64_t with_parameters = 0, gained = 0;
   for (std::size_t i = 0; i < nodes_were.size(); ++i) {
     with_parameters += !nodes_were[i].parameters.empty();
+    any_place = any_place || nodes_were[i].any;
     const Index a = pairs.node_after[i];
     const NodePlace now = a == none ? NodePlace{} : nodes_are[static_cast<std::size_t>(a)];
     moved = moved || (nodes_were[i].any && a != none &&
@@ -105,8 +108,11 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
         parameters_lost || (!nodes_were[i].parameters.empty() && now.parameters != nodes_were[i].parameters);
     gained += nodes_were[i].parameters.empty() && !now.parameters.empty();
   }
-  if (before.node_blocks.size() > 1 || !after.node_blocks.empty())
-    add("entities of nodes", moved ? static_cast<std::int64_t>(before.points.size()) : 0, "");
+  // Where no node comes back, neither does its place.
+  const bool all_gone =
+      std::all_of(pairs.node_after.begin(), pairs.node_after.end(), [](Index i) { return i == none; });
+  add("entities of nodes",
+      moved || (all_gone && any_place) ? static_cast<std::int64_t>(before.points.size()) : 0, "", all_gone);
   add("nodes with parametric coordinates", parameters_lost ? with_parameters : 0, "");
   add("gained parametric coordinates", gained, "");
 
