@@ -104,7 +104,7 @@ class Lister {
       if (each == 0) {
         add(what, block.count, element(block));
       } else if (!holds_.unknown_nodes && !document_.unknown.empty()) {
-        unknown_nodes(block, each);
+        unknown_nodes(block);
       }
     }
     for (const Written& written : written_.blocks())
@@ -114,9 +114,9 @@ class Lister {
             written.count, element(*written.block));
   }
 
-  void unknown_nodes(const ElementBlock& block, int each) {
+  void unknown_nodes(const ElementBlock& block) {
     for (std::size_t e = 0; e < block.count; ++e) {
-      if (!written_.names_unknown(block, e, each)) continue;
+      if (!written_.names_unknown(block, e)) continue;
       const Index* node = written_.nodes_of(block, e);
       const Index bad = *std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
       add("elements that name nodes which do not exist", 1,

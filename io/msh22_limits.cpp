@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/msh_entities.hpp"
 #include "io/msh_write.hpp"
 
 namespace tetproof::io {
@@ -31,12 +32,14 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
                        : limits.copies > 0      ? last
                                                 : 0) +
                       1;
-  bool all = true, any = false;
-  for (const NodeBlock& block : document.node_blocks) {
-    any = any || (block.parameters_each > 0 && block.dim < 3);
-    all = all && (block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim);
-  }
-  limits.parametric = any && all;
+  const auto parametric = [](const NodeBlock& block) { return block.parameters_each > 0 && block.dim < 3; };
+  const auto complete = [](const NodeBlock& block) {
+    return block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim;
+  };
+  if (!std::any_of(document.node_blocks.begin(), document.node_blocks.end(), parametric)) return limits;
+  // As they are written: nodes of no block are given to one.
+  const std::vector<NodeBlock> written = plan_entities(document).node_blocks;
+  limits.parametric = std::all_of(written.begin(), written.end(), complete);
   return limits;
 }
 

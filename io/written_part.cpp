@@ -11,7 +11,7 @@ WrittenPart::WrittenPart(const Document& document, const Holds& holds) : documen
     if (each == 0) continue;
     std::size_t count = block.count;
     if (!holds.unknown_nodes && !document.unknown.empty())
-      for (std::size_t e = 0; e < block.count; ++e) count -= names_unknown(block, e, each);
+      for (std::size_t e = 0; e < block.count; ++e) count -= names_unknown(block, e);
     if (count > 0) blocks_.push_back({&block, each, count});
   }
   std::stable_sort(blocks_.begin(), blocks_.end(), [&](const Block& a, const Block& b) {
@@ -34,9 +34,9 @@ WrittenPart::WrittenPart(const Document& document, const Holds& holds) : documen
     if (kept[i]) nodes_.push_back(static_cast<Index>(i));
 }
 
-bool WrittenPart::names_unknown(const ElementBlock& block, std::size_t e, int nodes_each) const {
+bool WrittenPart::names_unknown(const ElementBlock& block, std::size_t e) const {
   const Index* node = nodes_of(block, e);
-  return std::any_of(node, node + nodes_each, [](Index i) { return i < 0; });
+  return std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
 }
 
 std::vector<Index> WrittenPart::in_order_of_elements() const {

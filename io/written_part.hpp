@@ -23,10 +23,9 @@ class WrittenPart {
 
   const std::vector<Block>& blocks() const { return blocks_; }  ///< in the order in which they come back
   bool comes_back(const Block& block, std::size_t e) const {
-    return block.count == block.block->count || !names_unknown(*block.block, e, block.nodes_each);
+    return block.count == block.block->count || !names_unknown(*block.block, e);
   }
-  /// Whether one of the first `nodes_each` nodes of an element, those that are written, does not exist.
-  bool names_unknown(const ElementBlock& block, std::size_t e, int nodes_each) const;
+  bool names_unknown(const ElementBlock& block, std::size_t e) const;
   const Index* nodes_of(const ElementBlock& block, std::size_t e) const {
     return document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
   }

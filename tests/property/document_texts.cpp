@@ -165,16 +165,11 @@ std::vector<Text> texts_of_rest(const Document& document) {
     for (const Column& column : table.columns) text += text_of(column);
     texts.push_back({text, 1, fmt::format("table \"{}\"", table.name)});
   }
-  for (const Section& section : document.sections) {
-    // Numbers in binary mean something only to those who know the section, as the version of the file has it.
-    const bool known = section.binary && section.name == "InterpolationScheme";
-    texts.push_back(
-        {fmt::format(
-             "{}{}{} {}", quoted(section.name),
-             known ? fmt::format(" {} binary{}", section.format, section.swapped ? " swapped" : "") : "",
-             section.before_nodes ? " before" : "", quoted(section.body)),
-         1, fmt::format("section ${}", section.name)});
-  }
+  // Whether the file was a text or binary is its own affair where a section is text in both.
+  for (const Section& section : document.sections)
+    texts.push_back({fmt::format("{}{} {}", quoted(section.name), section.before_nodes ? " before" : "",
+                                 quoted(section.body)),
+                     1, fmt::format("section ${}", section.name)});
   if (!document.title.empty()) texts.push_back({quoted(document.title), 1, "title"});
   return texts;
 }

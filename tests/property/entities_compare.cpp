@@ -111,8 +111,12 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   // Where no node comes back, neither does its place.
   const bool all_gone =
       std::all_of(pairs.node_after.begin(), pairs.node_after.end(), [](Index i) { return i == none; });
-  add("entities of nodes",
-      moved || (all_gone && any_place) ? static_cast<std::int64_t>(before.points.size()) : 0, "", all_gone);
+  // An entity that all nodes have is nothing but a number.
+  const bool one_for_all =
+      before.node_blocks.size() == 1 && before.node_blocks[0].count == before.points.size();
+  if (!one_for_all || !after.node_blocks.empty())
+    add("entities of nodes",
+        moved || (all_gone && any_place) ? static_cast<std::int64_t>(before.points.size()) : 0, "", all_gone);
   add("nodes with parametric coordinates", parameters_lost ? with_parameters : 0, "");
   add("gained parametric coordinates", gained, "");
 
@@ -131,12 +135,13 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
     if (lost++ == 0) example = text;
   }
   add("entities with their boxes and boundaries", lost, example);
-  for (const Entity& entity : after.entities)
-    if (there.count(text_of_entity(after, entity)) && !follows(after, is, entity) &&
-        std::none_of(nodes_are.begin(), nodes_are.end(), [&](const NodePlace& place) {
-          return place.any && place.dim == entity.dim && place.entity == entity.tag;
-        }))
+  // One that the writer made for elements or nodes has some.
+  for (const Entity& entity : after.entities) {
+    const auto in_it = [&](const auto& part) { return part.dim == entity.dim && part.entity == entity.tag; };
+    if (there.count(text_of_entity(after, entity)) && std::none_of(is.begin(), is.end(), in_it) &&
+        std::none_of(nodes_are.begin(), nodes_are.end(), in_it))
       add("gained entities", 1, text_of_entity(after, entity));
+  }
 
   // The number of partitions is that of the largest, if nobody says another.
   std::int64_t largest = 0;

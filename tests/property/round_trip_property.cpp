@@ -62,6 +62,15 @@ rc::Gen<Recipe> any_recipe() {
                       });
 }
 
+// STL cuts polygons into triangles, and its nodes are nothing but their coordinates, of which NaN is none:
+// what comes back of either is not an element or a node any more.
+void leave_out_what_has_no_identity(Recipe& recipe, const Target& target) {
+  if (target.options.format != "stl") return;
+  for (const Feature feature : {Feature::polygons, Feature::quadrangles, Feature::all_types,
+                                Feature::boundary, Feature::facets, Feature::nan_coordinates})
+    recipe.with[static_cast<std::size_t>(feature)] = false;
+}
+
 using Counts = std::map<std::string, std::int64_t>;
 
 // The list of losses against the judge; empty if they agree.
@@ -118,7 +127,8 @@ TEST_P(RoundTrip, LosesWhatItSays) {
   const Target& target = GetParam();
   Folder folder;
   EXPECT_TRUE(rc::check(target.name, [&] {
-    const Recipe recipe = *any_recipe();
+    Recipe recipe = *any_recipe();
+    leave_out_what_has_no_identity(recipe, target);
     const Document document = random_document(recipe);
     check_in_order(document);
     if (!has_place(target, document)) return;
@@ -137,9 +147,11 @@ TEST(RoundTrips, AllPairs) {
   const std::vector<Target> targets = all_targets();
   Folder folder;
   EXPECT_TRUE(rc::check("A -> B -> A", [&] {
-    const Recipe recipe = *any_recipe();
+    Recipe recipe = *any_recipe();
     const Target& a = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
     const Target& b = targets[*rc::gen::inRange<std::size_t>(0, targets.size())];
+    leave_out_what_has_no_identity(recipe, a);
+    leave_out_what_has_no_identity(recipe, b);
     const Document document = random_document(recipe);
     if (!has_place(a, document) || !has_place(b, document)) return;
     const Document first = there_and_back(folder, document, a);
