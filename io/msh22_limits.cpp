@@ -4,10 +4,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/element_types.hpp"
 #include "io/msh_entities.hpp"
 #include "io/msh_write.hpp"
 
 namespace tetproof::io {
+
+int dimension22(int type) {
+  if (const ElementType* known = element_type(type)) return known->dim;
+  return type == polygon || type == polygon_border ? 2 : 3;
+}
 
 Msh22Limits msh22_limits(const Document& document, bool binary) {
   Msh22Limits limits;

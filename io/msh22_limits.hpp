@@ -19,6 +19,9 @@ struct Msh22Limits {
 };
 Msh22Limits msh22_limits(const Document& document, bool binary);
 
+/// The dimension of the entity of elements of a type, which the file does not say.
+int dimension22(int type);
+
 /// The reader looks for an element's further groups in the next elements: for so many at most, since it looks
 /// through them again for each.
 inline constexpr std::size_t most_groups22 = 1000;

@@ -238,7 +238,7 @@ class ElementReader {
     if (!waiting_.any) return;
     waiting_.any = false;
     ElementBlock& block = block_of({.type = static_cast<int>(waiting_.number),
-                                    .dim = waiting_.type ? waiting_.type->dim : 3,
+                                    .dim = dimension22(static_cast<int>(waiting_.number)),
                                     .entity = waiting_.entity,
                                     .groups = sets_(waiting_.groups),
                                     .partitions = waiting_.partitions,

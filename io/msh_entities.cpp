@@ -174,6 +174,8 @@ std::vector<Entity> underived_entities(const Document& document) {
   for (const NodeBlock& block : document.node_blocks)
     if (const auto box = boxes.find({block.dim, block.entity}); box != boxes.end())
       for (std::size_t i = 0; i < block.count; ++i) grow(box->second, document.points[block.first + i]);
+  for (auto& [id, box] : boxes)
+    if (id.first == 0) std::copy_n(box.begin(), 3, box.begin() + 3);  // as they are written for points
   std::vector<Entity> underived;
   for (const Entity& entity : document.entities)
     if (!entity.boundary.empty() || entity.parent_dim >= 0 ||

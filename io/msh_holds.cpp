@@ -130,8 +130,7 @@ Holds hold22(const Document& document, bool binary) {
   holds.element_entities = true;
   holds.groups = Holds::Groups::all;
   for (const ElementBlock& block : document.blocks) {
-    const ElementType* type = element_type(block.type);
-    if (block.entity != 0 && block.dim != (type ? type->dim : 3)) holds.element_entities = false;
+    if (block.entity != 0 && block.dim != dimension22(block.type)) holds.element_entities = false;
     const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
     if (groups.empty() || groups == groups22(document, block)) continue;
     if (groups[0] == 0)

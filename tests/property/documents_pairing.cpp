@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "documents_pairing.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <deque>
 #include <map>
@@ -74,12 +75,14 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
       if (node < 0) node = none;
     whole[key].push_back(static_cast<Index>(e));
     const auto [type, corners] = corners_of(elements_before[e]);
-    if (corners == 0) continue;
+    // Those that name nodes which do not exist are dropped, even where that is between the corners.
+    if (corners == 0 || std::count(key.second.begin(), key.second.end(), none) > 0) continue;
     key.first = type, key.second.resize(corners);
     by_corners[key].push_back(static_cast<Index>(e));
   }
   pairs.element_after.assign(elements_before.size(), none);
-  for (std::size_t e = 0; e < elements_after.size(); ++e) {
+  pairs.element_before.assign(elements_after.size(), none);
+  const auto pair = [&](std::size_t e, std::initializer_list<std::map<Key, std::deque<Index>>*> among) {
     Key key{elements_after[e].type, elements_after[e].nodes};
     constexpr Index new_node = -2;
     for (Index& node : key.second) {
@@ -89,14 +92,22 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
         node = node < 0 ? none : pairs.node_before[static_cast<std::size_t>(node)];
     }
     Index found = none;
-    for (auto* in : {&whole, &by_corners})
-      if (const auto like = in->find(key); like != in->end() && found == none && !like->second.empty()) {
-        found = like->second.front();
-        like->second.pop_front();
-      }
-    pairs.element_before.push_back(found);
+    for (auto* in : among) {
+      const auto like = in->find(key);
+      if (like == in->end()) continue;
+      std::deque<Index>& queue = like->second;
+      while (!queue.empty() && pairs.element_after[static_cast<std::size_t>(queue.front())] != none)
+        queue.pop_front();
+      if (!queue.empty() && (found == none || queue.front() < found)) found = queue.front();
+    }
+    pairs.element_before[e] = found;
     if (found != none) pairs.element_after[static_cast<std::size_t>(found)] = static_cast<Index>(e);
-  }
+  };
+  // First those of a higher order, which came back as they are: what is left of them lost its nodes between.
+  for (std::size_t e = 0; e < elements_after.size(); ++e)
+    if (corners_of(elements_after[e]).first != 0) pair(e, {&whole});
+  for (std::size_t e = 0; e < elements_after.size(); ++e)
+    if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners});
   return pairs;
 }
 

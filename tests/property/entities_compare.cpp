@@ -95,12 +95,12 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
 
   // Of nodes.
   const std::vector<NodePlace> nodes_were = places_of(before), nodes_are = places_of(after);
-  bool moved = false, parameters_lost = false, any_place = false;
+  bool moved = false, parameters_lost = false, went_with_node = false;
   std::int64_t with_parameters = 0, gained = 0;
   for (std::size_t i = 0; i < nodes_were.size(); ++i) {
     with_parameters += !nodes_were[i].parameters.empty();
-    any_place = any_place || nodes_were[i].any;
     const Index a = pairs.node_after[i];
+    went_with_node = went_with_node || (nodes_were[i].any && a == none);
     const NodePlace now = a == none ? NodePlace{} : nodes_are[static_cast<std::size_t>(a)];
     moved = moved || (nodes_were[i].any && a != none &&
                       (now.dim != nodes_were[i].dim || now.entity != nodes_were[i].entity));
@@ -108,15 +108,12 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
         parameters_lost || (!nodes_were[i].parameters.empty() && now.parameters != nodes_were[i].parameters);
     gained += nodes_were[i].parameters.empty() && !now.parameters.empty();
   }
-  // Where no node comes back, neither does its place.
-  const bool all_gone =
-      std::all_of(pairs.node_after.begin(), pairs.node_after.end(), [](Index i) { return i == none; });
   // An entity that all nodes have is nothing but a number.
   const bool one_for_all =
       before.node_blocks.size() == 1 && before.node_blocks[0].count == before.points.size();
   if (!one_for_all || !after.node_blocks.empty())
-    add("entities of nodes",
-        moved || (all_gone && any_place) ? static_cast<std::int64_t>(before.points.size()) : 0, "", all_gone);
+    add("entities of nodes", moved || went_with_node ? static_cast<std::int64_t>(before.points.size()) : 0,
+        "", !moved);
   add("nodes with parametric coordinates", parameters_lost ? with_parameters : 0, "");
   add("gained parametric coordinates", gained, "");
 

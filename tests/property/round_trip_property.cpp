@@ -80,6 +80,7 @@ std::string disagreement(const std::vector<Loss>& losses, const std::vector<Diff
   for (const Loss& loss : losses) said[loss.item] += loss.count;
   for (const Difference& d : differences) {
     if (d.unsure && !said.count(d.item)) continue;
+    if (d.item == "gained title" && said.count("title")) continue;  // cut to what fits
     seen[d.item] += d.count;
     examples[d.item] = &d;
   }
@@ -164,8 +165,10 @@ TEST(RoundTrips, AllPairs) {
     wrong = disagreement(more, differences(second, third));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
     said.insert(said.end(), more.begin(), more.end());
+    // An entity that all nodes have is no loss, and may come back as another number.
+    const bool one_entity = first.node_blocks.size() == 1;
     for (const Difference& d : differences(first, third))
-      if (!d.unsure &&
+      if (!d.unsure && !(one_entity && d.item == "entities of nodes") &&
           std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return loss.item == d.item; }))
         RC_FAIL(fmt::format("{} -> {} -> {}: not said: {} ({}): {}", a.name, b.name, a.name, d.item, d.count,
                             d.example));
