@@ -259,7 +259,7 @@ class Joiner {
       elements += block.count, nodes += block.count * static_cast<std::size_t>(block.nodes_each);
       blocks.push_back(block);
     }
-    if (!as_it_is) {
+    if (!as_it_is && !reorder(all)) {
       std::vector<Index> connectivity;
       reserve_in_large_pages(connectivity, nodes);
       for (std::size_t b = 0; b < all.size(); ++b) {
@@ -270,6 +270,37 @@ class Joiner {
       native_.connectivity = std::move(connectivity);
     }
     native_.blocks = std::move(blocks);
+  }
+
+  // Brings the native connectivity into the order of the blocks without a second one, which would be most of
+  // the memory that a large file takes. False, and nothing was done, where it has not all that is wanted, or
+  // only piecemeal.
+  bool reorder(const std::vector<Block>& all) {
+    constexpr std::size_t most_runs = 16;
+    struct Run {
+      std::size_t from, size;
+    };
+    std::vector<Run> runs;
+    std::size_t total = 0;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      const std::size_t size = all[b].block.count * static_cast<std::size_t>(all[b].block.nodes_each);
+      if (!all[b].native) return false;
+      if (size == 0) continue;
+      if (!runs.empty() && runs.back().from + runs.back().size == source_[b])
+        runs.back().size += size;
+      else
+        runs.push_back({source_[b], size});
+      total += size;
+    }
+    if (total != native_.connectivity.size() || runs.size() > most_runs) return false;
+    const auto begin = native_.connectivity.begin();
+    const auto place = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+    for (std::size_t r = 0, at = 0; r < runs.size(); at += runs[r++].size) {
+      std::rotate(place(at), place(runs[r].from), place(runs[r].from + runs[r].size));
+      for (std::size_t later = r + 1; later < runs.size(); ++later)
+        if (runs[later].from < runs[r].from) runs[later].from += runs[r].size;
+    }
+    return true;
   }
 
   // Those whose numbers the native part has stand there in the same order, maybe among others.

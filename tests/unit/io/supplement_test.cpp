@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
 
 #include "document_text.hpp"
 #include "io/losses.hpp"
@@ -153,6 +154,47 @@ INSTANTIATE_TEST_SUITE_P(Formats, Supplement,
                                          Target{"a.msh", {.format = "msh22"}},
                                          Target{"a.msh", {.format = "msh22", .binary = true}},
                                          Target{"a.node", {}}));
+
+// A format that lists tetrahedra first and triangles last: few changes of kind and many.
+TEST(SupplementOrder, OfBlocksByKindIsTakenBack) {
+  for (const int blocks : {1, 2, 3, 5, 12, 60}) {
+    std::mt19937 random(static_cast<unsigned>(blocks));
+    Document document, native;
+    document.points.assign(1000, {0.5, 0.25, 0.125});
+    native.points = document.points;
+    for (int b = 0; b < blocks; ++b) {
+      const bool tetrahedra = blocks < 4 ? b == blocks - 1 : random() % 2 == 0;
+      document.blocks.push_back({.type = tetrahedra ? 4 : 2,
+                                 .dim = tetrahedra ? 3 : 2,
+                                 .entity = 7 + b,
+                                 .nodes_each = tetrahedra ? 4 : 3,
+                                 .count = random() % 30,
+                                 .first = document.elements(),
+                                 .nodes = document.connectivity.size()});
+      for (std::size_t k = document.blocks.back().count * (tetrahedra ? 4 : 3); k > 0; --k)
+        document.connectivity.push_back(static_cast<Index>(random() % 1000));
+    }
+    for (const int type : {4, 2}) {  // each kind in one block, as a reader knows no better
+      ElementBlock all{.type = type, .dim = type == 4 ? 3 : 2, .nodes_each = type == 4 ? 4 : 3};
+      all.first = native.elements(), all.nodes = native.connectivity.size();
+      for (const ElementBlock& block : document.blocks) {
+        if (block.type != type) continue;
+        const auto from = document.connectivity.begin() + static_cast<std::ptrdiff_t>(block.nodes);
+        native.connectivity.insert(native.connectivity.end(), from,
+                                   from + static_cast<std::ptrdiff_t>(block.count) * block.nodes_each);
+        all.count += block.count;
+      }
+      if (all.count > 0) native.blocks.push_back(all);
+    }
+    io::Holds holds;
+    holds.kept_in = "here";
+    holds.nodes_each = [](const ElementBlock& block) { return block.nodes_each; };
+    holds.kind = [](const ElementBlock& block) { return -block.dim; };
+    io::take_back(io::supplement_head({}) + io::supplement_of(document, holds), "here", native);
+    EXPECT_EQ(native.connectivity, document.connectivity) << blocks;
+    EXPECT_EQ(told(native), told(document)) << blocks;
+  }
+}
 
 TEST(SupplementErrors, ArePlain) {
   const test::TestFiles files;
