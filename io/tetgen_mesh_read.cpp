@@ -87,9 +87,9 @@ void read_nodes(Records& in, const TetgenNodeHeader& header, Document& document)
              each = static_cast<std::size_t>(header.attributes);
   check_attributes(in, header.count, header.attributes);
   Values attributes{.name = "attributes", .components = static_cast<int>(each), .reals = {}, .integers = {}};
-  attributes.reals.assign(count * each, 0.0);
+  resize_in_large_pages(attributes.reals, count * each);
   Values markers{.name = "markers", .components = 1, .reals = {}, .integers = {}};
-  if (header.marked) markers.integers.assign(count, 0);
+  if (header.marked) resize_in_large_pages(markers.integers, count);
   resize_in_large_pages(document.points, count);
 
   std::int64_t& base = document.first_node;
@@ -186,9 +186,9 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
   };
   Values attributes = values("attributes", file.attributes), markers = values("markers", 1),
          tets = values("neighbours", file.tets);
-  attributes.reals.assign(file.count * attributes_each, 0.0);
-  if (file.marked) markers.integers.assign(file.count, 0);
-  tets.integers.assign(file.count * tets_each, 0);
+  resize_in_large_pages(attributes.reals, file.count * attributes_each);
+  if (file.marked) resize_in_large_pages(markers.integers, file.count);
+  resize_in_large_pages(tets.integers, file.count * tets_each);
 
   const std::int64_t base = document.first_node;
   const bool names = file.corners == 4;  // numbers of tetrahedra are kept
