@@ -81,10 +81,14 @@ def file_name(size, ending):
     return "formats" + size.replace("^", "") + ending
 
 
+def file_set(bench, name):
+    """The file, or all of TetGen's that belong to it."""
+    names = [name[:-4] + ending for ending in (".node", ".ele", ".face", ".edge")] if name.endswith(".ele") else [name]
+    return [n for n in names if os.path.exists(bench.path(n))]
+
+
 def file_bytes(bench, name):
-    """Of a file, or of both of TetGen's."""
-    names = [name, name[:-4] + ".node"] if name.endswith(".ele") else [name]
-    return sum(os.path.getsize(bench.path(n)) for n in names)
+    return sum(os.path.getsize(bench.path(n)) for n in file_set(bench, name))
 
 
 def make(bench, size):
@@ -148,8 +152,7 @@ def ratios(rows):
 
 def cat(bench, name):
     """MB/s of `cat FILE >/dev/null`, the file being in memory."""
-    names = [name, name[:-4] + ".node"] if name.endswith(".ele") else [name]
-    script = "cat " + " ".join(names) + " >/dev/null"
+    script = "cat " + " ".join(file_set(bench, name)) + " >/dev/null"
     empty = bench.command("sh", "sh", "-c", "cat /dev/null >/dev/null")
     command = bench.command("cat", "sh", "-c", script)
     measure([empty, command], 3 * bench.runs, bench.cores)
@@ -171,8 +174,9 @@ def whole(bench):
         for command, (a, b, _, _) in zip(commands, pairs):
             bench.record.setdefault("formats", {})[command.name] = command.record()
             rows.append((command, file_bytes(bench, file_name(size, a)) + file_bytes(bench, file_name(size, b)), read.arrays))
-        for end in {b for _, b, _, _ in pairs} | {".w.node"}:
-            os.remove(bench.path(file_name(size, end)))
+        for name in {file_name(size, b) for _, b, _, _ in pairs}:
+            for written in file_set(bench, name):
+                os.remove(bench.path(written))
     print("### The whole of tetproof-convert\n\n| | MB in and out | wall s | CPU s | MB/s | peak MiB | points and elements MiB | peak in these |\n"
           "|---|---|---|---|---|---|---|---|")
     for c, size, arrays in rows:
