@@ -212,7 +212,6 @@ KNOWN = {
         "cube_compressed.obj": SEPARATE,
         "joined_tetrahedra.obj": SEPARATE,
         "negative_indices.obj": SEPARATE,
-        "polygonfaces.obj": "our .msh, from which this is read, has its polygon aside",
         "cube.off": "it wants OFF in a line of its own",
         "nohead.off": "it wants OFF in a line of its own",
         "whitespace.off": "it wants OFF in a line of its own",
@@ -233,6 +232,7 @@ KNOWN = {
     "vtk": {
         "cube.obj": "it takes no continued lines, and no negative numbers",
         "jacked.obj": "it reads nothing of it",
+        "polygonfaces.obj": "it takes no `1//` without a number of a normal",
         "fuze.ply": "it doubles points with several texture coordinates",
         "asc_noend.stl": "it takes a text without an end for a binary",
         "cube_big_endian.ply": "it crashes on lists of other elements",
@@ -289,12 +289,11 @@ WRITTEN = {"meshio": [("vtu", "--binary"), ("vtu", "--ascii"), ("vtk", "--binary
                       ("medit", "--ascii"), ("medit", "--binary"), ("stl", "--binary"), ("stl", "--ascii"),
                       ("off", "--ascii"), ("obj", "--ascii"), ("ply", "--ascii"), ("ply", "--binary"),
                       ("tetgen", "--ascii"), ("msh41", "--ascii"), ("msh41", "--binary"), ("msh22", "--ascii"),
-                      ("msh22", "--binary"), ("msh40", "--ascii")],
+                      ("msh22", "--binary")],  # it takes 4.0 for 4.1, of Gmsh's own files too
            "vtk": [("vtu", "--binary"), ("vtu", "--ascii"), ("vtk", "--binary"), ("vtk", "--ascii"),
                    ("stl", "--binary"), ("stl", "--ascii"), ("obj", "--ascii"), ("ply", "--ascii"),
                    ("ply", "--binary")]}
-ENDING = {"medit": {"--ascii": ".mesh", "--binary": ".meshb"}, "tetgen": ".node", "msh41": ".msh", "msh22": ".msh",
-          "msh40": ".msh"}
+ENDING = {"medit": {"--ascii": ".mesh", "--binary": ".meshb"}, "tetgen": ".node", "msh41": ".msh", "msh22": ".msh"}
 
 
 def compare_written(peer, read, ours, arguments, failures):
@@ -321,8 +320,12 @@ def compare_written(peer, read, ours, arguments, failures):
                 print("not read again by us: %s: %s" % (what, refusal))
                 mesh, _ = ours.read(source, rounded)
             mesh.keep(ONLY.get((peer, format_)))
+            # An element in several groups stands there once for each, which we know for one, and meshio for several.
+            merge = format_ == "msh22"
             try:
                 theirs, said = apart(read, target, rounded, ours.folder)
+                if merge:
+                    theirs.elements = collections.Counter(set(theirs.elements))
                 wrong = difference(mesh, theirs, POINTS.get(ending, "all"))
                 if said:
                     wrong += " it says: " + said[:200]
@@ -410,6 +413,10 @@ def compare_tetgen(ours, arguments, failures):
         if wrong and not complaint:
             failures.append("%s, rewritten by us: %s" % (path, wrong))
         for ending, lines in theirs.items():
+            there = (folders["theirs"] / (stem + ending)).exists()
+            if there and not (folders["ours"] / (stem + ending)).exists():
+                print("not written: %s of %s" % (ending, path.name))
+                continue
             if lines != again[ending]:
                 first = next((a for a in zip(lines or [], again[ending] or []) if a[0] != a[1]), "length")
                 failures.append("%s: TetGen makes another %s of it when it comes from us: %s" % (path, ending, first))
