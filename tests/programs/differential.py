@@ -204,6 +204,7 @@ KNOWN = {
         "q2.node": "it wants an .ele",
         "q3.node": "it takes no short first line",
         "example_o2.1.node": "it takes no second order from TetGen",
+        "example.1.mesh": "it takes Medit's version 1 for 32-bit coordinates, where TetGen wrote 17 digits",
         "cube.obj": "it takes no continued lines",
         "vcol.obj": "it takes colours for coordinates",
         "nancolor.obj": "it takes colours for coordinates",
@@ -351,6 +352,7 @@ KNOWN_WRITTEN = {
     ("meshio", "two_41_text.msh", "msh41"): "parametric nodes not implemented",
     ("meshio", "two_41_text.msh", "msh22"): "it wants a group and an entity of each element or of none",
     ("meshio", "two41all.msh", "msh41"): "it wants a group for each block or for none",
+    ("meshio", "two41o2b.msh", "medit"): "it knows no second order of Medit's",
     ("meshio", "two41o2b.msh", "tetgen"): "it takes no second order from TetGen",
 }
 
