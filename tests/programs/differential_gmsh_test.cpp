@@ -222,7 +222,7 @@ TEST(DifferentialGmsh, SamplesOfOthers) {
   }
 }
 
-// With all features that Gmsh has; all samples when TETPROOF_ALL_SAMPLES is set.
+// With all features that Gmsh has; all of version 4 when TETPROOF_ALL_SAMPLES is set.
 const std::set<std::string> rich{"two_41_text.msh", "two_40_text.msh",    "two41part.msh", "two41o2b.msh",
                                  "per_msh41.msh",   "two22.msh",          "two41par.msh",  "view5.msh",
                                  "hybrid_part.msh", "adaptive_tet20.msh", "s.msh"};
@@ -245,9 +245,11 @@ TEST(DifferentialGmsh, WhatWeWrite) {
   };
   std::map<std::string, Written> written;  // by the file
   for (const std::string& file : samples()) {
-    if (!std::getenv("TETPROOF_ALL_SAMPLES") && !rich.contains(name_of(file))) continue;
     if (not_read.contains(name_of(file)) || misread.contains(name_of(file))) continue;
     const Document document = read_document(file);
+    // Elements of no entity get one when they are written: of old files only those that give all of them one.
+    const bool also = std::getenv("TETPROOF_ALL_SAMPLES") && has_entities(document);
+    if (!also && !rich.contains(name_of(file))) continue;
     for (const auto& [format, binary] : targets) {
       const std::string out = folder / fmt::format("{}-{}.msh", written.size(), format);
       write_document(out, document, {.format = format, .binary = binary});
