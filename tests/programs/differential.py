@@ -11,6 +11,7 @@ something else, KNOWN says which file, and why. Exit code 77: the peer is not in
 """
 import argparse
 import collections
+import ctypes
 import os
 import pathlib
 import pickle
@@ -38,7 +39,7 @@ def bits(x):
 
 
 def single(x):
-    return struct.unpack("<f", struct.pack("<f", x))[0]
+    return ctypes.c_float(x).value  # too large: infinity
 
 
 class Mesh:
