@@ -130,7 +130,7 @@ bool voronoi_is_valid(const Document& document, std::int64_t base) {
       return false;
   for (const Voronoi::Face& face : v.faces) {
     for (const Index cell : face.cells)
-      if (cell < 0 || (nodes > 0 && cell >= nodes)) return false;
+      if (cell < 0 || cell >= nodes) return false;
     if (!list_is_valid(face.edges, v.edges.size())) return false;
   }
   return std::all_of(v.cells.begin(), v.cells.end(),

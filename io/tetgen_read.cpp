@@ -29,8 +29,6 @@ class SetReader {
 
   void mesh() {
     const bool voronoi = file_exists(set_.stem + ".v.cell") || set_.ending.starts_with(".v.");
-    if (set_.ending.starts_with(".v.") && !file_exists(set_.stem + ".node"))
-      return read_voronoi(set_.stem, document_);
     const auto ele = open(".ele"), face = open(".face"), edge = open(".edge");
     if (!ele && !face && !edge)
       document_.warnings.push_back(

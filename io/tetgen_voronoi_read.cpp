@@ -2,8 +2,6 @@
 // The Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "io/error.hpp"
 #include "io/tetgen_parts.hpp"
 
@@ -52,8 +50,6 @@ class Part {
   std::int64_t first_;
 };
 
-constexpr std::size_t any_number = std::numeric_limits<Index>::max();
-
 }  // namespace
 
 void read_voronoi(const std::string& stem, Document& document) {
@@ -83,11 +79,10 @@ void read_voronoi(const std::string& stem, Document& document) {
     voronoi.edges.push_back(edge);
   }
   edges.in().end_file();
-  const std::size_t nodes_at_most = document.points.empty() ? any_number : document.points.size();
   for (std::int64_t i = 0; i < face_count; ++i) {
     faces.next("the number of a face");
     Voronoi::Face face;
-    for (Index& cell : face.cells) cell = faces.position("a cell", nodes_at_most, false);
+    for (Index& cell : face.cells) cell = faces.position("a cell", document.points.size(), false);
     face.edges = faces.list("the number of a face's edges", "an edge", voronoi.edges.size());
     voronoi.faces.push_back(std::move(face));
   }
