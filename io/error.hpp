@@ -4,13 +4,22 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tetproof {
 
 /// Bad input. `what()` is one line that tells the reader what to do: place, what was expected, what was found,
-/// as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2.
+/// as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. What names from
+/// files bring along of control characters is shown as '?'.
 struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit InputError(std::string message) : std::runtime_error(in_one_line(std::move(message))) {}
+
+ private:
+  static std::string in_one_line(std::string message) {
+    for (char& c : message)
+      if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+    return message;
+  }
 };
 
 }  // namespace tetproof
