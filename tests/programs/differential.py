@@ -200,6 +200,8 @@ SEPARATE = "it wants as many texture coordinates and normals as points"
 KNOWN = {
     "meshio": {
         "two.1.node": "it takes no comment behind the numbers",
+        "set.1.node": "it takes no comment behind the numbers",
+        "set.1.v.node": "it wants an .ele",
         "c.node": "it takes no comment behind the numbers",
         "q1.node": "it takes no commas",
         "q2.node": "it wants an .ele",
