@@ -23,28 +23,29 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
   };
   const auto unknown = range_of(document.unknown.size(), [&](std::size_t k) { return document.unknown[k]; });
   const auto elements = range_of(document.elements(), [&](std::size_t i) { return document.element_tag(i); });
-  limits.renumber_nodes =
-      !fits(unknown) ||
-      !fits(range_of(document.points.size(), [&](std::size_t i) { return document.node_tag(i); }));
   for (const ElementBlock& block : document.blocks)
     limits.copies += block.count * (groups22(document, block).size() - 1);
   // Copies are numbered behind all elements, and behind those that data names but that do not exist.
   const bool names_elements = !document.element_values.empty() || !document.element_node_values.empty();
-  const std::int64_t last = std::max(elements.second, names_elements ? unknown.second : 0);
-  limits.renumber_elements =
-      !fits(elements) || (names_elements && !fits(unknown)) ||
-      (limits.copies > 0 && (last < 0 || static_cast<std::uint64_t>(most - last) < limits.copies));
-  limits.first_copy = (limits.renumber_elements ? static_cast<std::int64_t>(document.elements())
-                       : limits.copies > 0      ? last
-                                                : 0) +
-                      1;
+  const std::int64_t last = std::max({std::int64_t{0}, elements.second, names_elements ? unknown.second : 0});
+  limits.renumber =
+      !fits(unknown) || !fits(elements) ||
+      !fits(range_of(document.points.size(), [&](std::size_t i) { return document.node_tag(i); })) ||
+      (limits.copies > 0 && static_cast<std::uint64_t>(most - last) < limits.copies);
+  if (limits.renumber) {
+    limits.first_copy = static_cast<std::int64_t>(document.elements()) + 1;
+    limits.first_unknown =
+        static_cast<std::int64_t>(std::max(document.points.size(), document.elements() + limits.copies)) + 1;
+  } else if (limits.copies > 0) {
+    limits.first_copy = last + 1;
+  }
   const auto parametric = [](const NodeBlock& block) { return block.parameters_each > 0 && block.dim < 3; };
   const auto complete = [](const NodeBlock& block) {
     return block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim;
   };
   if (!std::any_of(document.node_blocks.begin(), document.node_blocks.end(), parametric)) return limits;
   // As they are written: nodes of no block are given to one.
-  const std::vector<NodeBlock> written = plan_entities(document).node_blocks;
+  const std::vector<NodeBlock> written = plan_entities(document, false).node_blocks;
   limits.parametric = std::all_of(written.begin(), written.end(), complete);
   return limits;
 }

@@ -10,11 +10,11 @@
 namespace tetproof::io {
 
 struct Msh22Limits {
-  bool renumber_nodes = false;  ///< from 1: a tag does not fit the 4 bytes that it has in binary
-  bool renumber_elements = false;
+  bool renumber = false;  ///< nodes and elements from 1: a tag does not fit the 4 bytes that it has in binary
   bool parametric =
       false;  ///< parametric coordinates are written; only when all nodes on curves and surfaces have them
-  std::int64_t first_copy = 1;  ///< the tag of the first copy of an element in several groups; counts up
+  std::int64_t first_unknown = 0;  ///< when renumbering: the number of `Document::unknown[0]`; counts up
+  std::int64_t first_copy = 1;     ///< the tag of the first copy of an element in several groups; counts up
   std::size_t copies = 0;
 };
 Msh22Limits msh22_limits(const Document& document, bool binary);

@@ -20,8 +20,7 @@ class Writer {
         document_(document),
         holds_(msh_holds(document, "msh22", Binary)),
         limits_(msh22_limits(document, Binary)),
-        tags_{&document, limits_.renumber_nodes, limits_.renumber_elements,
-              document.elements() + limits_.copies} {
+        tags_{&document, limits_.renumber, limits_.first_unknown} {
     for (const ElementBlock& block : document.blocks)
       if (holds_.nodes_each(block) > 0 && block.count > 0) {
         blocks_.push_back(&block);

@@ -60,6 +60,8 @@ class ElementIndex {
 
  private:
   Index unknown(std::int64_t tag) {
+    for (; known_ < document_.unknown.size(); ++known_)
+      unknown_.emplace(document_.unknown[known_], -1 - static_cast<Index>(known_));
     const auto [place, is_new] = unknown_.try_emplace(tag, -1 - static_cast<Index>(document_.unknown.size()));
     if (is_new) document_.unknown.push_back(tag);
     return place->second;
@@ -67,7 +69,8 @@ class ElementIndex {
 
   Document& document_;
   std::vector<ElementTag> sorted_;
-  std::unordered_map<std::int64_t, Index> unknown_;
+  std::unordered_map<std::int64_t, Index> unknown_;  // of the first `known_` of the document's
+  std::size_t known_ = 0;
 };
 
 // Positions that only count up need no list.
@@ -187,8 +190,8 @@ void MshData::read_rows(Numbers& in, Header header, Of of) {
   in = here;
 }
 
+// Nodes first: what they name but do not have may be what elements do not have either.
 void MshData::look_up(Document& document, NodeIndex& nodes, const std::vector<ElementTag>& copies) {
-  ElementIndex elements(document, copies);
   for (TaggedLink& read : links_) {
     read.link.nodes.reserve(read.tags.size());
     for (const auto& [node, master] : read.tags) {
@@ -197,18 +200,22 @@ void MshData::look_up(Document& document, NodeIndex& nodes, const std::vector<El
     }
     document.periodic.push_back(std::move(read.link));
   }
+  for (TaggedValues& read : values_)
+    if (read.of == Of::node) {
+      set_positions(read.values, positions(read.tags, nodes));
+      document.node_values.push_back(std::move(read.values));
+    }
+  ElementIndex elements(document, copies);
   for (TaggedGhost& read : ghosts_) {
     read.ghost.element = elements(read.tag);
     document.ghost_elements.push_back(std::move(read.ghost));
   }
-  for (TaggedValues& read : values_) {
-    set_positions(read.values,
-                  read.of == Of::node ? positions(read.tags, nodes) : positions(read.tags, elements));
-    (read.of == Of::node      ? document.node_values
-     : read.of == Of::element ? document.element_values
-                              : document.element_node_values)
-        .push_back(std::move(read.values));
-  }
+  for (TaggedValues& read : values_)
+    if (read.of != Of::node) {
+      set_positions(read.values, positions(read.tags, elements));
+      (read.of == Of::element ? document.element_values : document.element_node_values)
+          .push_back(std::move(read.values));
+    }
   values_.clear(), links_.clear(), ghosts_.clear();
 }
 

@@ -25,7 +25,7 @@ void grow(std::array<double, 6>& box, const Eigen::Vector3d& point) {
 
 class Planner {
  public:
-  explicit Planner(const Document& document) : document_(document) {
+  Planner(const Document& document, bool with_boxes) : document_(document), with_boxes_(with_boxes) {
     for (const Entity& entity : document.entities) {
       plan_.entities.push_back(entity);
       known_.try_emplace({entity.dim, entity.tag}, Belongs{entity.groups, entity.partitions});
@@ -110,7 +110,7 @@ class Planner {
   }
 
   void add(Entity entity) {
-    new_boxes_[{entity.dim, entity.tag}] = empty_box;
+    if (with_boxes_) new_boxes_[{entity.dim, entity.tag}] = empty_box;
     plan_.entities.push_back(std::move(entity));
   }
 
@@ -144,6 +144,7 @@ class Planner {
   }
 
   const Document& document_;
+  const bool with_boxes_;
   EntityPlan plan_;
   std::map<std::pair<int, std::int64_t>, Belongs> known_;
   std::map<std::tuple<int, std::int64_t, Belongs>, std::int64_t> renamed_;
@@ -156,8 +157,8 @@ class Planner {
 
 }  // namespace
 
-EntityPlan plan_entities(const Document& document) {
-  return Planner(document).plan();
+EntityPlan plan_entities(const Document& document, bool with_boxes) {
+  return Planner(document, with_boxes).plan();
 }
 
 std::vector<Entity> underived_entities(const Document& document) {

@@ -21,8 +21,8 @@ struct EntityPlan {
 };
 
 /// In 4.0 and 4.1 groups and partitions belong to entities: blocks of one entity with different ones become
-/// different entities.
-EntityPlan plan_entities(const Document& document);
+/// different entities. Without boxes, those of new entities are not computed.
+EntityPlan plan_entities(const Document& document, bool with_boxes = true);
 
 /// The document's entities that its elements and nodes alone do not tell: with a boundary, part of a
 /// partition, in groups that their elements are not in, without elements, or with another box than their

@@ -65,8 +65,8 @@ bool same_runs(const std::vector<NodeBlock>& a, const std::vector<NodeBlock>& b)
 }
 
 void hold_names(const Document& document, Holds& holds) {
-  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(),
-                                  [](const GroupName& name) { return is_quotable(name.name); });
+  holds.name = [](const GroupName& name) { return is_quotable(name.name); };
+  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(), holds.name);
 }
 
 void hold_data(const Document& document, const MshTags& tags, const std::string& format, bool binary,
@@ -74,8 +74,8 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
   const bool any = !document.node_values.empty() || !document.element_values.empty() ||
                    !document.element_node_values.empty() || !document.ghost_elements.empty() ||
                    !document.periodic.empty();
-  const bool nodes_differ = any && (tags.renumber_nodes || all_differ(document.node_tags));
-  const bool elements_differ = any && (tags.renumber_elements || all_differ(document.element_tags));
+  const bool nodes_differ = any && (tags.renumber || all_differ(document.node_tags));
+  const bool elements_differ = any && (tags.renumber || all_differ(document.element_tags));
   const bool short_numbers = binary && format != "msh22";
   holds.periodic =
       nodes_differ &&
@@ -109,21 +109,19 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
     return true;
   };
   holds.section = [format, binary, tags](const Section& section) {
-    const bool renumbered = tags.renumber_nodes || tags.renumber_elements;
     return section.body.ends_with('\n') && keeps_section(section, format, binary) &&
-           !(renumbered && contains(data, section.name));
+           !(tags.renumber && contains(data, section.name));
   };
 }
 
 Holds hold22(const Document& document, bool binary) {
   const Msh22Limits limits = msh22_limits(document, binary);
   Holds holds;
-  holds.node_tags = !limits.renumber_nodes;
-  if (limits.renumber_nodes)
-    holds.unknown_number = [nodes = document.points.size()](std::size_t k) {
-      return static_cast<std::int64_t>(nodes + k + 1);
+  holds.node_tags = holds.element_tags = !limits.renumber;
+  if (limits.renumber)
+    holds.unknown_number = [first = limits.first_unknown](std::size_t k) {
+      return first + static_cast<std::int64_t>(k);
     };
-  holds.element_tags = !limits.renumber_elements;
   holds.unknown_nodes = true;
   holds.entities = document.entities.empty();
   holds.partitions = true;
@@ -131,24 +129,21 @@ Holds hold22(const Document& document, bool binary) {
   holds.groups = Holds::Groups::all;
   for (const ElementBlock& block : document.blocks) {
     if (block.entity != 0 && block.dim != dimension22(block.type)) holds.element_entities = false;
-    const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-    if (groups.empty() || groups == groups22(document, block)) continue;
-    if (groups[0] == 0)
-      holds.groups = Holds::Groups::none;
-    else if (holds.groups == Holds::Groups::all)
-      holds.groups = Holds::Groups::first;
   }
-  holds.node_entities = limits.parametric ? same_runs(runs_of(document.node_blocks, true),
-                                                      runs_of(plan_entities(document).node_blocks, true))
-                                          : document.node_blocks.empty();
+  holds.groups_of = [&document](const ElementBlock& block) {
+    const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    return groups.empty() || (groups[0] != 0 && groups == groups22(document, block));
+  };
+  holds.node_entities = limits.parametric
+                            ? same_runs(runs_of(document.node_blocks, true),
+                                        runs_of(plan_entities(document, false).node_blocks, true))
+                            : document.node_blocks.empty();
   holds.parameters =
       std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [&](const NodeBlock& block) {
         return block.parameters_each == 0 || (limits.parametric && (block.dim == 1 || block.dim == 2) &&
                                               block.parameters_each == block.dim);
       });
-  hold_data(document,
-            {&document, limits.renumber_nodes, limits.renumber_elements, document.elements() + limits.copies},
-            "msh22", binary, holds);
+  hold_data(document, {&document, limits.renumber, limits.first_unknown}, "msh22", binary, holds);
   return holds;
 }
 
@@ -173,7 +168,7 @@ bool holds_entities(const Document& document, const std::vector<Entity>& written
 }
 
 Holds hold4(const Document& document, const std::string& format, bool binary) {
-  const EntityPlan plan = plan_entities(document);
+  const EntityPlan plan = plan_entities(document, false);
   Holds holds;
   holds.node_tags = holds.element_tags = holds.unknown_nodes = true;
   holds.entities = holds_entities(document, plan.entities, format);

@@ -266,7 +266,9 @@ class Reader {
       if (!index_) index_.emplace(document_);
       data_.look_up(document_, *index_, copies_);
     }
-    warn_of_oddities(document_, copies_);
+    // In a file of our own that keeps something aside, it is no oddity that elements stand once for each
+    // group.
+    warn_of_oddities(document_, supplement_.empty() ? copies_ : std::vector<ElementTag>{});
   }
 
   // Elements stood before their nodes.

@@ -28,21 +28,21 @@ std::string msh_kept_sections(const Document& document, const Holds& holds, bool
 /// The numbers under which nodes and elements are written.
 struct MshTags {
   const Document* document;
-  bool renumber_nodes = false, renumber_elements = false;  ///< from 1
-  std::size_t elements = 0;                                ///< that are written, copies included
+  bool renumber = false;           ///< from 1
+  std::int64_t first_unknown = 0;  ///< then the number of `Document::unknown[0]`
 
   std::int64_t node(Index i) const {
-    if (!renumber_nodes) return document->named(i);
-    return i < 0 ? static_cast<std::int64_t>(document->points.size()) - i : std::int64_t{i} + 1;
+    if (!renumber) return document->named(i);
+    return i < 0 ? unknown(i) : std::int64_t{i} + 1;
   }
   std::int64_t element_at(std::size_t e) const {
-    return renumber_elements ? static_cast<std::int64_t>(e) + 1 : document->element_tag(e);
+    return renumber ? static_cast<std::int64_t>(e) + 1 : document->element_tag(e);
   }
   std::int64_t element(Index i) const {
     if (i >= 0) return element_at(static_cast<std::size_t>(i));
-    return renumber_elements ? static_cast<std::int64_t>(elements) - i
-                             : document->unknown[static_cast<std::size_t>(-1 - i)];
+    return renumber ? unknown(i) : document->unknown[static_cast<std::size_t>(-1 - i)];
   }
+  std::int64_t unknown(Index i) const { return first_unknown - 1 - i; }
 };
 
 /// $Periodic, $GhostElements and the sections of data, as far as `holds` has them.

@@ -96,6 +96,13 @@ const std::vector<Written> msh_files{{"Msh41Text", "out.msh", {}},
                                      {"Msh22Text", "out.msh", {"--to", "msh22"}},
                                      {"Msh22Binary", "out.msh", {"--to", "msh22", "--binary"}}};
 
+// meshio does not read the 4.0 text that Gmsh itself writes.
+std::vector<Written> gmsh_files() {
+  std::vector<Written> all = msh_files;
+  all.push_back({"Msh40Text", "out.msh", {"--to", "msh40"}});
+  return all;
+}
+
 std::vector<Written> all_files() {
   std::vector<Written> all = msh_files;
   all.push_back({"VtuBinary", "out.vtu", {}});
@@ -124,7 +131,7 @@ TEST_P(OpenedByGmsh, WithoutAWarningAndWithEqualContent) {
   EXPECT_EQ(folder.read("back.ele"), folder.read("again.ele"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Interoperability, OpenedByGmsh, testing::ValuesIn(msh_files),
+INSTANTIATE_TEST_SUITE_P(Interoperability, OpenedByGmsh, testing::ValuesIn(gmsh_files()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(OpenedByTetgen, ConsistentAndWithEqualContent) {
