@@ -220,7 +220,7 @@ class Writer {
     std::size_t count = 0;
     for (const ElementBlock* block : blocks)
       for (std::size_t e = 0; e < block->count; ++e)
-        count += is_written(nodes_of(*block, e), static_cast<int>(each));
+        count += is_written(nodes_of(*block, e), block->nodes_each);
     if (count == 0) return;
     head(keyword, count, (each + 1) * integer_size());
     const auto order = node_order(keyword.element, NodeOrder::medit);
@@ -228,7 +228,7 @@ class Writer {
       const std::int64_t group = first_group(document_, *block);
       write_items(file_, block->count, (each + 1) * (longest_integer + 1), [&](std::size_t e, char* to) {
         const Index* nodes = nodes_of(*block, e);
-        if (!is_written(nodes, static_cast<int>(each))) return to;
+        if (!is_written(nodes, block->nodes_each)) return to;
         for (std::size_t k = 0; k < each; ++k) {
           const Index node = nodes[order.empty() ? k : static_cast<std::size_t>(order[k])];
           const std::int64_t number = node < 0 ? document_.named(node) : std::int64_t{node} + 1;

@@ -118,7 +118,7 @@ class Maker {
                              : node_order(gmsh_type_of_linear(cell.type), NodeOrder::vtk);
       for (std::size_t e = 0; e < block.count; ++e) {
         const Index* nodes = document_.connectivity.data() + block.nodes + e * block.nodes_each;
-        if (std::any_of(nodes, nodes + cell.nodes, [](Index i) { return i < 0; })) continue;
+        if (std::any_of(nodes, nodes + block.nodes_each, [](Index i) { return i < 0; })) continue;
         mesh_.elements.push_back(block.first + e);
         mesh_.types.push_back(static_cast<unsigned char>(cell.type));
         for (int k = 0; k < cell.nodes; ++k)

@@ -68,17 +68,19 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     by_x.erase(found);
   }
 
-  std::map<Key, std::deque<Index>> whole, by_corners;
+  std::map<Key, std::deque<Index>> whole, by_corners, incomplete;
   for (std::size_t e = 0; e < elements_before.size(); ++e) {
     Key key{elements_before[e].type, elements_before[e].nodes};
     for (Index& node : key.second)
       if (node < 0) node = none;
     whole[key].push_back(static_cast<Index>(e));
     const auto [type, corners] = corners_of(elements_before[e]);
-    // Those that name nodes which do not exist are dropped, even where that is between the corners.
-    if (corners == 0 || std::count(key.second.begin(), key.second.end(), none) > 0) continue;
+    if (corners == 0) continue;
+    // Where the format drops elements that name nodes which do not exist, even between the corners, those
+    // that name none are the ones that came back.
+    const bool names_unknown = std::count(key.second.begin(), key.second.end(), none) > 0;
     key.first = type, key.second.resize(corners);
-    by_corners[key].push_back(static_cast<Index>(e));
+    (names_unknown ? incomplete : by_corners)[key].push_back(static_cast<Index>(e));
   }
   pairs.element_after.assign(elements_before.size(), none);
   pairs.element_before.assign(elements_after.size(), none);
@@ -108,6 +110,8 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     if (corners_of(elements_after[e]).first != 0) pair(e, {&whole});
   for (std::size_t e = 0; e < elements_after.size(); ++e)
     if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners});
+  for (std::size_t e = 0; e < elements_after.size(); ++e)
+    if (pairs.element_before[e] == none) pair(e, {&incomplete});
   return pairs;
 }
 

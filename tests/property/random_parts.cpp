@@ -150,6 +150,7 @@ class Parts {
           for (std::size_t i = 0; i < count; ++i)
             if (part.chance(2)) values.at.push_back(static_cast<Index>(count - 1 - i));
           if (has(Feature::unknown_at) && lost.chance(2)) values.at.push_back(unknown_number(lost));
+          if (values.at.size() == count) values.at.pop_back();  // all would be no subset
           if (values.at.empty()) values.at.push_back(0);
           items = values.at.size();
         }
