@@ -266,7 +266,7 @@ const std::vector<Case> cases{
      {{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}},
      "off\nn 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\ne 1 2 2/0 g p: 0 1 2\n"},
     {"MshByItsContent",
-     {{"a.mesh", v41 + nodes41 + tet41}},
+     {{"a.mesh1", v41 + nodes41 + tet41}},
      "msh41\n" + n4 + "N 3/1 4: \ne 1 4 3/1 g p: 1 2 3 4\n"},
     {"MshInCapitals", {{"A.MSH", v22 + nodes22 + tet22}}, "msh22\n" + n4 + "e 1 4 3/1 g p: 1 2 3 4\n"},
 };
