@@ -160,9 +160,8 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
   }
   // TetGen expects faces and edges to be of second order where the tetrahedra are, and nowhere else.
   plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) ? 10 : 4;
-  const bool first_order = plan.tets.count > 0 && plan.tets.nodes_each == 4;
-  plan.faces.nodes_each = !first_order && all_of_type(plan.faces, triangle6) ? 6 : 3;
-  const bool second_order = plan.tets.count > 0 ? plan.tets.nodes_each == 10 : plan.faces.nodes_each == 6;
+  const bool second_order = plan.tets.nodes_each == 10;
+  plan.faces.nodes_each = second_order && all_of_type(plan.faces, triangle6) ? 6 : 3;
   plan.edges.nodes_each = second_order && all_of_type(plan.edges, line3) ? 3 : 2;
   plan.renumber_elements = !counts_up(document, plan.base, {&plan.tets, &plan.faces, &plan.edges});
 
