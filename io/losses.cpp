@@ -263,7 +263,8 @@ class Lister {
             fmt::format("{} in partition {}", element(*written.block), fmt::join(tags, " ")));
       for (const std::int64_t tag : tags) largest = std::max(largest, tag < 0 ? -tag : tag);
     }
-    if (!holds_.partition_count && document_.partitions != (holds_.partitions ? largest : 0))
+    if (!holds_.partition_count && document_.partitions != 0 &&
+        document_.partitions != (holds_.partitions ? largest : 0))
       add("number of partitions", 1, fmt::format("{}", document_.partitions));
     if (holds_.ghosts) return;
     if (!document_.ghosts.empty())

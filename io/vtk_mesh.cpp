@@ -36,7 +36,9 @@ int gmsh_type_of_linear(int vtk) {
 }
 
 bool covers(const Values& values, std::size_t items) {
-  return values.at.empty() && values.nodes.empty() && values.first == 0 && values.components > 0 &&
+  for (std::size_t k = 0; k < values.at.size(); ++k)
+    if (values.at[k] != static_cast<Index>(k)) return false;
+  return values.nodes.empty() && values.first == 0 && values.components > 0 &&
          values.size() == items * static_cast<std::size_t>(values.components);
 }
 
