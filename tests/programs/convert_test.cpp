@@ -20,30 +20,46 @@ TEST(Convert, SaysWhatIsLostAndConverts) {
   const ScratchFolder folder;
   const std::string in = folder.write("a.msh", two_groups);
   const Outcome run = run_program(
-      {program("tetproof-convert"), in, folder / "b.ele", "--losses", folder / "lost.json", "--json", "-"});
+      {program("tetproof-convert"), in, folder / "b.vtu", "--losses", folder / "lost.json", "--json", "-"});
   EXPECT_EQ(run.exit_code, 0) << run;
   EXPECT_EQ(run.err,
-            "lost: numbers of nodes: 4 (the first is 10)\nlost: physical groups of elements: 1 (element 1 in "
-            "groups 7 8)\n"
-            "lost: names of physical groups: 1 (steel)\n");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.ele", "b.node", "lost.json"}));
-  EXPECT_EQ(folder.read("b.ele"), "1 4 0\n1 1 2 3 4\n");
+            "lost: numbers of nodes: 4 (the first is 10)\nlost: names of physical groups: 1 (steel)\n");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.vtu", "lost.json"}));
   const auto lost = nlohmann::json::parse(folder.read("lost.json")), all = nlohmann::json::parse(run.out);
-  EXPECT_EQ(lost["losses"].size(), 3u);
+  ASSERT_EQ(lost["losses"].size(), 2u);
   EXPECT_EQ(lost["losses"][0],
             (nlohmann::json{{"item", "numbers of nodes"}, {"count", 4}, {"example", "the first is 10"}}));
   EXPECT_EQ(all["losses"], lost["losses"]);
-  EXPECT_EQ(all["output"]["format"], "tetgen");
+  EXPECT_EQ(all["kept_aside"].size(), 0u);
+  EXPECT_EQ(all["output"]["format"], "vtu");
   EXPECT_EQ(all["input"]["nodes"]["largest"], 40);
+}
+
+TEST(Convert, SaysWhatIsKeptAsideAndTakesItBack) {
+  const ScratchFolder folder;
+  const std::string in = folder.write("a.msh", two_groups);
+  const Outcome run = run_program(
+      {program("tetproof-convert"), in, folder / "b.ele", "--losses", folder / "lost.json", "--strict"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_EQ(run.err,
+            "kept in comments: numbers of nodes: 4 (the first is 10)\n"
+            "kept in comments: physical groups of elements: 1 (element 1 in groups 7 8)\n"
+            "kept in comments: names of physical groups: 1 (steel)\n");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.ele", "b.node", "lost.json"}));
+  EXPECT_EQ(folder.read("b.ele"), "1 4 0\n1 1 2 3 4\n");
+  const auto lost = nlohmann::json::parse(folder.read("lost.json"));
+  EXPECT_EQ(lost["losses"].size(), 0u);
+  EXPECT_EQ(lost["kept_aside"].size(), 3u);
+  ASSERT_EQ(run_program({program("tetproof-convert"), folder / "b.node", folder / "c.msh"}).exit_code, 0);
+  EXPECT_EQ(folder.read("c.msh"), two_groups);
 }
 
 TEST(Convert, StrictWithALossWritesNothing) {
   const ScratchFolder folder;
   const std::string in = folder.write("a.msh", two_groups);
-  const Outcome run =
-      run_program({program("tetproof-convert"), in, folder / "b.msh", "--to", "msh22", "--strict"});
+  const Outcome run = run_program({program("tetproof-convert"), in, folder / "b.mesh", "--strict"});
   EXPECT_EQ(run.exit_code, 1) << run;
-  EXPECT_EQ(lines(run.err), 2u) << run;
+  EXPECT_GE(lines(run.err), 2u) << run;
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a.msh"});
 }
 
@@ -74,14 +90,14 @@ TEST(Convert, UsageAndInput) {
   };
   EXPECT_EQ(said({"a.msh"}), "tetproof-convert: OUT is missing (or ask for --info)\n");
   EXPECT_EQ(said({"a.msh", "b.msh", "--info"}), "tetproof-convert: --info writes no file: leave out OUT\n");
-  EXPECT_EQ(
-      said({"a.msh", "b.xyz"}),
-      "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl .off .obj .ply\n");
+  EXPECT_EQ(said({"a.msh", "b.xyz"}),
+            "tetproof-convert: b.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh "
+            ".vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl .off .obj .ply\n");
   EXPECT_EQ(said({"a.msh", "b.node", "--binary"}),
             "tetproof-convert: b.node: TetGen .node and .ele is never binary\n");
-  EXPECT_EQ(
-      said({"a.msh", "b.msh", "--to", "nas"}),
-      "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off obj ply\n");
+  EXPECT_EQ(said({"a.msh", "b.msh", "--to", "nas"}),
+            "tetproof-convert: unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu "
+            "vtk medit stl off obj ply\n");
   EXPECT_EQ(
       said({"bad.msh", "b.msh"}),
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");

@@ -160,7 +160,10 @@ def vtk_read(path, rounded):
     elements = []
     for c in range(data.GetNumberOfCells()):
         cell = data.GetCell(c)
-        elements.append((VTK[data.GetCellType(c)], [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]))
+        nodes = [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
+        if data.GetCellType(c) == 13:  # its wedge winds the other way round than Gmsh's prism
+            nodes = [nodes[k] for k in (0, 2, 1, 3, 5, 4)]
+        elements.append((VTK[data.GetCellType(c)], nodes))
     return Mesh(points, elements, rounded)
 
 
@@ -196,6 +199,8 @@ def apart(read, path, rounded, folder):
 
 # Files of others that a peer reads otherwise, or not at all: name, and what it is. Nothing else may differ.
 NO_COMMENTS = "it takes no comments or blank lines there"
+UNESCAPED = "VTK leaves < in the names of arrays that it writes as it is, which no reader of XML takes"
+NO_TEXTS = "it takes no arrays of texts"
 SEPARATE = "it wants as many texture coordinates and normals as points"
 KNOWN = {
     "meshio": {
@@ -208,6 +213,12 @@ KNOWN = {
         "q3.node": "it takes no short first line",
         "example_o2.1.node": "it takes no second order from TetGen",
         "example.1.mesh": "it takes Medit's version 1 for 32-bit coordinates, where TetGen wrote 17 digits",
+        "two.mesh": "it wants each corner in a line of its own",
+        "cells_text.vtu": UNESCAPED,
+        "cells_raw.vtu": UNESCAPED,
+        "cells_base64_zlib.vtu": UNESCAPED,
+        "cells_text.vtk": NO_TEXTS,
+        "cells_binary.vtk": NO_TEXTS,
         "cube.obj": "it takes no continued lines",
         "vcol.obj": "it takes colours for coordinates",
         "nancolor.obj": "it takes colours for coordinates",
@@ -234,6 +245,9 @@ KNOWN = {
         "ply_empty_ascii.ply": "it fails where there is no face",
     },
     "vtk": {
+        "cells_text.vtu": UNESCAPED,
+        "cells_raw.vtu": UNESCAPED,
+        "cells_base64_zlib.vtu": UNESCAPED,
         "cube.obj": "it takes no continued lines, and no negative numbers",
         "jacked.obj": "it reads nothing of it",
         "polygonfaces.obj": "it takes no `1//` without a number of a normal",
@@ -354,6 +368,7 @@ ONLY = {("meshio", "obj"): SURFACE, ("meshio", "tetgen"): SOLID, ("meshio", "nod
 KNOWN_WRITTEN = {
     ("meshio", "two_41_text.msh", "msh41"): "parametric nodes not implemented",
     ("meshio", "two_41_text.msh", "msh22"): "it wants a group and an entity of each element or of none",
+    ("vtk", "two_41_text.msh", "vtk"): "its reader of text takes no nan, which nodes without a value have",
     ("meshio", "two41all.msh", "msh41"): "it wants a group for each block or for none",
     ("meshio", "two41o2b.msh", "medit"): "it knows no second order of Medit's",
     ("meshio", "two41o2b.msh", "tetgen"): "it takes no second order from TetGen",

@@ -125,9 +125,10 @@ TEST_P(OpenedByGmsh, WithoutAWarningAndWithEqualContent) {
   ASSERT_EQ(run.exit_code, 0) << run;
   EXPECT_FALSE(says(run.out + run.err, "warning") || says(run.out + run.err, "error")) << run;
   EXPECT_TRUE(says(run.out + run.err, "5 nodes") && says(run.out + run.err, "2 elements")) << run;
-  convert(folder, "back.msh", "back.node");  // not strictly: Gmsh made the entity's box a little larger
+  convert(folder, "back.msh", "back.node");  // in comments: the entity's box, which Gmsh made a little larger
   convert(folder, "in.node", "again.node");
-  EXPECT_EQ(folder.read("back.node"), folder.read("again.node"));
+  const std::string back = folder.read("back.node");
+  EXPECT_EQ(back.substr(0, back.find("#: ")), folder.read("again.node"));
   EXPECT_EQ(folder.read("back.ele"), folder.read("again.ele"));
 }
 
