@@ -10,12 +10,18 @@
 //   .ele    tetrahedra of type 4 or 11; values "attributes" (reals). Their numbers are the elements' tags
 //   .face   behind them triangles (2 or 9); "markers"; under -nn "neighbours", two tetrahedra each
 //   .edge   behind those lines (1 or 8); "markers"; under -nn "neighbours", one tetrahedron each
-//   .neigh  "neighbours" of tetrahedra, 4 integers; .t2f "faces", 4; .t2e "edges", 6; .f2e "edges" of
-//   triangles, 3 .vol    "volume bounds" of tetrahedra (reals, not positive: none) .mtr    "sizes" of nodes,
-//   1, 3 or 6 reals .var    area_bounds and length_bounds .v.*    voronoi .poly   polygons as elements with
-//   `of_boundary`, by their corners: points (15), lines (1), triangles (2),
+//   .neigh  "neighbours" of tetrahedra, 4 integers
+//   .t2f    "faces" of tetrahedra, 4 integers; .t2e: "edges", 6; .f2e: "edges" of triangles, 3
+//   .vol    "volume bounds" of tetrahedra (reals, not positive: none)
+//   .mtr    "sizes" of nodes, 1, 3 or 6 reals
+//   .var    area_bounds and length_bounds
+//   .v.*    voronoi
+//   .poly   polygons as elements with `of_boundary`, by their corners: points (15), lines (1), triangles (2),
 //           quadrangles (3), polygons (34); "markers" of them, the same for all polygons of a facet; `facets`
 //           for those with several polygons or holes; holes, regions. Behind them the lines of .edge
+//
+// Where no element has attributes or markers, the first physical group of each is written in their place (0:
+// none), for TetGen to see.
 //
 // Values stand for a run of elements, `first` being the first of its file. Numbers of elements in integers
 // are what the file says, counted from its first number.

@@ -64,6 +64,15 @@ const Values* node_values(const Document& document, const char* name, bool reals
   return nullptr;
 }
 
+// Whether the groups of a list can stand in the place of values that no element has.
+bool tells_groups(const Document& document, const TetgenList& list, const char* name) {
+  return std::none_of(document.element_values.begin(), document.element_values.end(),
+                      [&](const Values& values) { return values.name == name; }) &&
+         std::any_of(list.blocks.begin(), list.blocks.end(), [&](const ElementBlock* block) {
+           return !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
+         });
+}
+
 TetgenPlan plan_nodes(const Document& document) {
   TetgenPlan plan;
   plan.renumber_nodes = !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
@@ -80,6 +89,7 @@ TetgenPlan plan_nodes(const Document& document) {
 void plan_edges(const Document& document, TetgenPlan& plan) {
   plan.edge_markers = values_of(document, plan.edges, "markers", false, 1);
   plan.edge_tets = values_of(document, plan.edges, "neighbours", false, 1);
+  plan.edge_groups = tells_groups(document, plan.edges, "markers");
   // Values of one name are told apart by their order, and those of edges are read last.
   const Values* const before = plan.plc ? plan.facet_markers : plan.face_markers;
   if (plan.edge_markers < before) plan.edge_markers = nullptr;
@@ -150,6 +160,11 @@ std::int64_t TetgenPlan::number(const Document& document, Index node) const {
   return node >= 0 ? base + node : tetgen_unknown(document, base, static_cast<std::size_t>(-1 - node));
 }
 
+std::int64_t first_group(const Document& document, const ElementBlock& block) {
+  const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+  return groups.empty() ? 0 : groups[0];
+}
+
 TetgenPlan tetgen_mesh_plan(const Document& document) {
   TetgenPlan plan = plan_nodes(document);
   for (const ElementBlock& block : document.blocks) {
@@ -173,6 +188,8 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
   plan.face_markers = values_of(document, plan.faces, "markers", false, 1);
   plan.face_tets = values_of(document, plan.faces, "neighbours", false, 2);
   plan.face_edges = values_of(document, plan.faces, "edges", false, 3);
+  plan.tet_groups = tells_groups(document, plan.tets, "attributes");
+  plan.face_groups = tells_groups(document, plan.faces, "markers");
   plan_edges(document, plan);
   // Behind corners alone these columns would be taken for nodes between corners.
   if (second_order && plan.faces.nodes_each == 3) plan.face_tets = nullptr;
@@ -211,6 +228,7 @@ TetgenPlan tetgen_plc_plan(const Document& document) {
     if (std::any_of(marker, marker + facet.polygons, [&](std::int64_t m) { return m != *marker; }))
       plan.facet_markers = nullptr;  // a facet has one marker
   }
+  plan.polygon_groups = plan.facets.empty() && tells_groups(document, plan.polygons, "markers");
   return plan;
 }
 

@@ -35,9 +35,15 @@ struct TetgenPlan {
   const Values* facet_markers = nullptr;
   bool bounds = false, voronoi = false;
 
+  // The first physical group of each element, 0 for none, stands where the document has no attributes or
+  // markers, for TetGen to see; our reader has it from the supplement.
+  bool tet_groups = false, face_groups = false, edge_groups = false, polygon_groups = false;
+
   /// The number that stands for a node.
   std::int64_t number(const Document&, Index node) const;
 };
+/// The first physical group of a block; 0: none.
+std::int64_t first_group(const Document&, const ElementBlock&);
 /// The number that is written for `Document::unknown[k]`.
 std::int64_t tetgen_unknown(const Document&, std::int64_t base, std::size_t k);
 TetgenPlan tetgen_mesh_plan(const Document&);

@@ -21,7 +21,7 @@ class PlcWriter {
     write_tetgen_nodes(file_, document_, plan_);
     std::size_t count = plan_.polygons.count;
     for (const std::size_t f : plan_.facets) count -= document_.facets[f].polygons - 1;
-    file_.write(fmt::format("{} {}\n", count, plan_.facet_markers ? 1 : 0));
+    file_.write(fmt::format("{} {}\n", count, plan_.facet_markers || plan_.polygon_groups ? 1 : 0));
     // Runs of polygons that are a facet each, and facets of several.
     std::size_t next = 0;
     for (const std::size_t f : plan_.facets) {
@@ -77,18 +77,22 @@ class PlcWriter {
     const ElementType* type = element_type(block.type);
     const auto corners = static_cast<std::size_t>(type ? type->corners : block.nodes_each);
     const Values* markers = whole_facets ? plan_.facet_markers : nullptr;
-    const std::size_t longest = 8 + (corners + 3) * (longest_integer + 1) + corners / corners_a_line + 2;
+    const std::string group = plan_.polygon_groups ? fmt::format(" {}", first_group(document_, block)) : "";
+    const auto put_marker = [&](char* to, std::size_t i) {
+      return std::copy(group.begin(), group.end(), put_values(to, markers, position + i));
+    };
+    const std::size_t longest = 8 + (corners + 4) * (longest_integer + 1) + corners / corners_a_line + 2;
     write_items(file_, to - from, longest, [&](std::size_t i, char* at) {
       if (whole_facets && !smesh_) {
         at = put(put(at, '1'), ' ');
-        at = put(put_values(put(at, '0'), markers, position + i), '\n');
+        at = put(put_marker(put(at, '0'), i), '\n');
       }
       at = put(at, static_cast<std::int64_t>(corners));
       const Index* node = document_.connectivity.data() + block.nodes +
                           (from + i) * static_cast<std::size_t>(block.nodes_each);
       for (std::size_t k = 0; k < corners; ++k)
         at = put(put(at, k > 0 && k % corners_a_line == 0 ? '\n' : ' '), plan_.number(document_, node[k]));
-      return put(smesh_ ? put_values(at, markers, position + i) : at, '\n');
+      return put(smesh_ ? put_marker(at, i) : at, '\n');
     });
   }
 

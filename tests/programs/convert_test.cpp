@@ -46,7 +46,7 @@ TEST(Convert, SaysWhatIsKeptAsideAndTakesItBack) {
             "kept in comments: physical groups of elements: 1 (element 1 in groups 7 8)\n"
             "kept in comments: names of physical groups: 1 (steel)\n");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.ele", "b.node", "lost.json"}));
-  EXPECT_EQ(folder.read("b.ele"), "1 4 0\n1 1 2 3 4\n");
+  EXPECT_EQ(folder.read("b.ele"), "1 4 1\n1 1 2 3 4 7\n");
   const auto lost = nlohmann::json::parse(folder.read("lost.json"));
   EXPECT_EQ(lost["losses"].size(), 0u);
   EXPECT_EQ(lost["kept_aside"].size(), 3u);

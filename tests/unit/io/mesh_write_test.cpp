@@ -248,7 +248,7 @@ TEST(MeshWrite, TetgenRenumbersAndKeepsUnknownNumbersUnknown) {
   document.element_values[0].reals.pop_back();  // of the tetrahedra alone
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "2 4 1\n1 1 2 3 4 2.25\n2 1 2 3 11 0\n");
-  EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 0\n1 1 2 3\n");
+  EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 1\n1 1 2 3 7\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.node")).substr(0, 32), "10 3 0 1\n1 0 0 0 1\n2 0.1 0 0 1\n3");
 }
 

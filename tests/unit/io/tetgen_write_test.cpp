@@ -280,6 +280,40 @@ TEST(TetgenWrite, FacesOfAMeshAsFacets) {
   EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 1\n0 2 3 5 0\n");
 }
 
+// Where a document has no attributes and markers of its own, TetGen is told the first physical group; and
+// what is read back are groups again.
+TEST(TetgenWrite, GroupsAreTetgensAttributesAndMarkers) {
+  const test::TestFiles files;
+  Document document;
+  document.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  document.tag_sets = {{}, {7, 8}, {-6}};
+  document.blocks = {
+      {.type = 4, .dim = 3, .entity = 1, .groups = 1, .nodes_each = 4, .count = 1},
+      {.type = 2, .dim = 2, .entity = 1, .groups = 2, .nodes_each = 3, .count = 1, .first = 1, .nodes = 4},
+      {.type = 2, .dim = 2, .entity = 1, .nodes_each = 3, .count = 1, .first = 2, .nodes = 7}};
+  document.connectivity = {0, 1, 2, 3, 0, 2, 1, 0, 1, 3};
+  write_document(files.path("a.node"), document);
+  EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 1\n1 1 2 3 4 7\n");
+  EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "2 1\n1 1 3 2 -6\n2 1 2 4 0\n");
+  const Document again = read_document(files.path("a.node"));
+  EXPECT_TRUE(again.element_values.empty());
+  ASSERT_EQ(again.blocks.size(), 3u);
+  EXPECT_EQ(again.tag_sets[static_cast<std::size_t>(again.blocks[0].groups)],
+            (std::vector<std::int64_t>{7, 8}));
+
+  const auto lines_of = [&](const char* name) { return test::TestFiles::read(files.path(name)); };
+  write_document(files.path("b.poly"), document);
+  EXPECT_NE(lines_of("b.poly").find("\n2 1\n1 0 -6\n3 1 3 2\n1 0 0\n3 1 2 4\n0\n0\n"), std::string::npos)
+      << lines_of("b.poly");
+  write_document(files.path("c.smesh"), document);
+  EXPECT_NE(lines_of("c.smesh").find("\n2 1\n3 1 3 2 -6\n3 1 2 4 0\n0\n0\n"), std::string::npos)
+      << lines_of("c.smesh");
+
+  document.element_values = {{.name = "attributes", .reals = {0.5}}};  // which come first
+  write_document(files.path("a.node"), document);
+  EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 1\n1 1 2 3 4 0.5\n");
+}
+
 TEST(TetgenWrite, SaysWhichFilesAreLeftOver) {
   const test::TestFiles files;
   Document document = full();
