@@ -8,103 +8,13 @@
 #include <numeric>
 #include <utility>
 
-#include "io/document_fields.hpp"
-#include "io/error.hpp"
+#include "io/document_positions.hpp"
 #include "io/large_pages.hpp"
 #include "io/supplement.hpp"
+#include "io/supplement_words.hpp"
 
 namespace tetproof::io {
 namespace {
-
-class Decoder {
- public:
-  Decoder(std::string_view text, std::string place) : text_(text), place_(std::move(place)) {}
-
-  template <class... T>
-  void operator()(T&... values) {
-    (get(values), ...);
-  }
-
-  std::string_view word() {
-    while (at_ < text_.size() && text_[at_] <= ' ') ++at_;
-    const std::size_t start = at_;
-    while (at_ < text_.size() && text_[at_] > ' ') ++at_;
-    return text_.substr(start, at_ - start);
-  }
-  std::string_view peek() {
-    const std::size_t here = at_;
-    const std::string_view next = word();
-    at_ = here;
-    return next;
-  }
-
-  /// A number of things of at least two bytes each.
-  std::size_t count() {
-    std::size_t value = 0;
-    get(value);
-    if (value > (text_.size() - at_ + 1) / 2)
-      fail(fmt::format("{} things announced, more than the {} bytes left can hold", value,
-                       text_.size() - at_));
-    return value;
-  }
-
-  [[noreturn]] void fail(std::string_view message) const {
-    throw InputError(fmt::format("{}, byte {} of the supplement: {}", place_, at_, message));
-  }
-
- private:
-  template <std::integral T>
-  void get(T& value) {
-    std::int64_t wide = 0;
-    number(wide, "an integer");
-    if (!std::in_range<std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>>(wide) ||
-        (std::same_as<T, bool> && wide > 1))
-      fail(fmt::format("{} is out of range", wide));
-    value = static_cast<T>(wide);
-  }
-  void get(double& value) { number(value, "a number"); }
-  void number(auto& value, const char* expected) {
-    const std::string_view next = word();
-    const auto [end, error] = std::from_chars(next.data(), next.data() + next.size(), value);
-    if (error != std::errc() || end != next.data() + next.size() || next.empty())
-      fail(fmt::format("expected {}, found '{}'", expected, next.substr(0, 40)));
-  }
-  void get(std::string& text) {
-    text.clear();
-    for (std::size_t pieces = count(); pieces > 0; --pieces) {
-      const std::string_view piece = word();
-      if (!piece.starts_with('"')) fail("expected a text");
-      for (std::size_t i = 1; i < piece.size(); ++i) {
-        unsigned byte = static_cast<unsigned char>(piece[i]);
-        if (piece[i] == '\\') {
-          const std::string_view digits = piece.substr(i + 1, 2);
-          const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
-          if (error != std::errc() || digits.size() != 2 || end != digits.data() + 2)
-            fail("expected two hexadecimal digits behind a backslash");
-          i += 2;
-        }
-        text += static_cast<char>(byte);
-      }
-    }
-  }
-  void get(Eigen::Vector3d& p) { (*this)(p[0], p[1], p[2]); }
-  template <class T, std::size_t N>
-  void get(std::array<T, N>& values) {
-    for (T& value : values) get(value);
-  }
-  template <class T>
-  void get(std::vector<T>& values) {
-    values.clear();
-    for (std::size_t left = count(); left > 0; --left) get(values.emplace_back());
-  }
-  template <class T>
-  requires std::is_class_v<T>
-  void get(T& part) { fields(part, *this); }
-
-  std::string_view text_;
-  const std::string place_;
-  std::size_t at_ = 0;
-};
 
 // A block of the original document, and what the native part has of it.
 struct Block {
@@ -120,7 +30,7 @@ class Joiner {
 
   void join() {
     for (std::string_view name = in_.word(); !name.empty(); name = in_.word()) field(name);
-    check();
+    if (const char* wrong = misplaced(native_)) in_.fail(fmt::format("{} do not fit the file", wrong));
   }
 
  private:
@@ -348,74 +258,6 @@ class Joiner {
       found->name.clear();
     }
     native_.sections = std::move(joined);
-  }
-
-  // Whatever is used as a position is one.
-  void check() const {
-    const Document& d = native_;
-    const auto expect = [&](bool good, const char* what) {
-      if (!good) in_.fail(fmt::format("{} do not fit the file", what));
-    };
-    const auto is_set = [&](std::int32_t set) {
-      return set >= 0 && static_cast<std::size_t>(set) < d.tag_sets.size();
-    };
-    const auto is_position = [&](Index i, std::size_t size) {
-      return i < 0 ? static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i)) < d.unknown.size()
-                   : static_cast<std::size_t>(i) < size;
-    };
-    const auto is_dim = [](int dim) { return dim >= 0 && dim <= 3; };
-    expect(!d.tag_sets.empty() && d.tag_sets[0].empty(), "sets of tags");
-    for (const ElementBlock& b : d.blocks)
-      expect(is_set(b.groups) && is_set(b.partitions) && is_dim(b.dim), "blocks of elements");
-    for (const Index i : d.connectivity) expect(is_position(i, d.points.size()), "nodes of elements");
-    expect(d.node_tags.empty() || d.node_tags.size() == d.points.size(), "numbers of nodes");
-    expect(d.element_tags.empty() || d.element_tags.size() == d.elements(), "numbers of elements");
-    std::size_t nodes = 0;
-    for (const NodeBlock& b : d.node_blocks) {
-      expect(is_dim(b.dim) && b.first >= nodes && b.first <= d.points.size() &&
-                 b.count <= d.points.size() - b.first && b.parameters_each >= 0 && b.parameters_each <= 3,
-             "blocks of nodes");
-      expect(b.parameters <= d.parameters.size() &&
-                 b.count * static_cast<std::size_t>(b.parameters_each) <= d.parameters.size() - b.parameters,
-             "parametric coordinates");
-      nodes = b.first + b.count;
-    }
-    for (const Entity& e : d.entities)
-      expect(is_dim(e.dim) && e.parent_dim >= -1 && e.parent_dim <= 3 && is_set(e.groups) &&
-                 is_set(e.partitions),
-             "entities");
-    for (const GroupName& n : d.group_names) expect(is_dim(n.dim), "groups");
-    for (const GhostElement& g : d.ghost_elements) expect(is_position(g.element, d.elements()), "ghosts");
-    for (const PeriodicLink& link : d.periodic)
-      for (const auto& pair : link.nodes)
-        expect(is_position(pair[0], d.points.size()) && is_position(pair[1], d.points.size()),
-               "periodic links");
-    for (const Values& v : d.node_values) expect(fits(v, d.points.size(), false), "values of nodes");
-    for (const Values& v : d.element_values) expect(fits(v, d.elements(), false), "values of elements");
-    for (const Values& v : d.element_node_values)
-      expect(fits(v, d.elements(), true), "values of elements' nodes");
-    for (const Facet& f : d.facets)
-      expect(f.first <= d.elements() && f.polygons <= d.elements() - f.first, "facets");
-    for (const LengthBound& b : d.length_bounds)
-      expect(is_position(b.nodes[0], d.points.size()) && is_position(b.nodes[1], d.points.size()),
-             "bounds of lengths");
-  }
-
-  bool fits(const Values& v, std::size_t items, bool of_nodes) const {
-    if (v.components < 0 || (!v.reals.empty() && !v.integers.empty())) return false;
-    for (const Index i : v.at)
-      if (i >= 0 ? static_cast<std::size_t>(i) >= items
-                 : static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i)) >= native_.unknown.size())
-        return false;
-    const std::size_t here = v.items();
-    if (v.at.empty() ? v.first > items || here > items - v.first : v.at.size() != here) return false;
-    if (of_nodes != !v.nodes.empty() && here > 0) return false;
-    std::size_t each = 0;
-    for (const std::int32_t nodes : v.nodes) {
-      if (nodes < 0) return false;
-      each += static_cast<std::size_t>(nodes);
-    }
-    return v.size() == (of_nodes ? each : here) * static_cast<std::size_t>(v.components);
   }
 
   Decoder& in_;
