@@ -9,8 +9,9 @@
 namespace tetproof::io {
 namespace {
 
-// Many programs take a face of fewer than three corners for an error. It is written where it stood in an OFF.
-bool keeps_thin(const Document& document) {
+// Many programs take a face of fewer than three corners for an error, or a comment. They are written where
+// they stood in an OFF.
+bool came_from_off(const Document& document) {
   return document.format == "off";
 }
 
@@ -44,10 +45,10 @@ void write_off(AtomicFile& file, const Document& document, bool) {
   const Kept kept(document);
   file.write(
       fmt::format("{}{}{}OFF\n", kept.texture ? "ST" : "", kept.color ? "C" : "", kept.normal ? "N" : ""));
-  write_title(file, "#", title_in_lines(document.title) ? document.title : "");
+  write_title(file, "#", came_from_off(document) && title_in_lines(document.title) ? document.title : "");
   std::vector<KeptElement> faces;
   for_each_kept(document, [&](const KeptElement& face) {
-    if (face.corners >= 3 || keeps_thin(document)) faces.push_back(face);
+    if (face.corners >= 3 || came_from_off(document)) faces.push_back(face);
   });
   file.write(fmt::format("{} {} 0\n", document.points.size(), faces.size()));
 
@@ -71,7 +72,7 @@ void write_off(AtomicFile& file, const Document& document, bool) {
 }
 
 Holds off_holds(const Document& document, bool) {
-  const auto nodes_each = [thin = keeps_thin(document)](const ElementBlock& block) {
+  const auto nodes_each = [thin = came_from_off(document)](const ElementBlock& block) {
     const int corners = corners_kept(block);
     return corners >= 3 || thin ? corners : 0;
   };
@@ -80,7 +81,7 @@ Holds off_holds(const Document& document, bool) {
   std::vector<const Values*> held{kept.normal, kept.color, kept.texture};
   if (all) held.insert(held.end(), kept.face_colors.held().begin(), kept.face_colors.held().end());
   Holds holds;
-  holds.title = title_in_lines(document.title);
+  holds.title = came_from_off(document) && title_in_lines(document.title);  // other readers take no comments
   holds.nodes_each = nodes_each;
   holds.values = [held](const Values& values, Of) {
     return std::find(held.begin(), held.end(), &values) != held.end();
