@@ -30,9 +30,6 @@ struct Holds {
   /// Nodes have no numbers: they come back in the order in which elements name them, and those at the same
   /// place (-0 is 0, NaN equals nothing) as one, with the coordinates of the first.
   bool nodes_by_place = false;
-  /// Faces of more than three corners that are planar and convex come back as the triangles of a fan, in
-  /// their place; `nodes_each` is 0 for them.
-  bool cuts_polygons = false;
 
   bool element_entities = false, node_entities = false;  ///< the tag and dimension of their entity
   bool entities = false;                                 ///< their boxes, boundaries, parents

@@ -174,7 +174,6 @@ Holds stl_holds(const Document& document, bool binary) {
   Holds holds;
   holds.which_nodes = Holds::Nodes::of_elements;
   holds.nodes_by_place = true;
-  holds.cuts_polygons = true;
   holds.single = binary;
   holds.nodes_each = [](const ElementBlock& block) { return triangles_only(block) ? 3 : 0; };
   holds.title = document.title.empty() ||

@@ -36,9 +36,6 @@
 
 namespace tetproof::io {
 
-/// TetGen's order of a second-order tetrahedron: its node k is Gmsh's node `tetgen_order[k]`.
-inline constexpr int tetgen_order[10] = {0, 1, 2, 3, 8, 7, 4, 5, 9, 6};
-
 /// Reads the file and all others of its set that are there. The numbers of the nodes must count up from 0 or
 /// 1; a number that no node has is kept as such.
 Document read_tetgen(const std::string& path);

@@ -7,6 +7,7 @@
 #include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/large_pages.hpp"
+#include "io/second_order.hpp"
 #include "io/tetgen.hpp"
 #include "io/tetgen_parts.hpp"
 
@@ -194,6 +195,9 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
   const bool names = file.corners == 4;  // numbers of tetrahedra are kept
   Tags tags(document.element_tags, document.first_element);
   if (first == 0) document.first_element = base;
+  // Nodes of tetrahedra of second order are TetGen's; else there are none that change places.
+  const std::span<const int> order =
+      each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   read_rows(in, file.count, file.many, &index, [&](auto& row, std::size_t i) {
     std::int64_t number;
     const std::int64_t counted = base + static_cast<std::int64_t>(i);
@@ -204,7 +208,7 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
     }
     Index* const mine = document.connectivity.data() + nodes + i * each;
     for (std::size_t k = 0; k < each; ++k)
-      if (!row.node(mine[each == 10 ? tetgen_order[k] : static_cast<int>(k)])) return false;
+      if (!row.node(mine[order.empty() ? k : static_cast<std::size_t>(order[k])])) return false;
     for (std::size_t k = 0; k < attributes_each; ++k)
       if (!row.optional_real(attributes.reals[i * attributes_each + k], "an attribute")) return false;
     if (file.marked && !row.optional_integer(markers.integers[i], "a boundary marker")) return false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/error.hpp"
+#include "io/second_order.hpp"
 #include "io/supplement.hpp"
 #include "io/tetgen.hpp"
 #include "io/tetgen_files.hpp"
@@ -18,6 +19,9 @@ void write_elements(AtomicFile& file, const Document& document, const TetgenPlan
                     const Values* behind = nullptr) {
   const auto each = static_cast<std::size_t>(list.nodes_each);
   const std::size_t longest = (2 + each + columns(before) + columns(behind)) * (longest_real + 1) + 1;
+  // Nodes of tetrahedra of second order are TetGen's; else there are none that change places.
+  const std::span<const int> order =
+      each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   std::size_t written = 0;
   for (const ElementBlock* block : list.blocks) {
     const std::string group = groups ? fmt::format(" {}", first_group(document, *block)) : "";
@@ -27,7 +31,7 @@ void write_elements(AtomicFile& file, const Document& document, const TetgenPlan
           document.connectivity.data() + block->nodes + i * static_cast<std::size_t>(block->nodes_each);
       for (std::size_t k = 0; k < each; ++k)
         to = put(put(to, ' '),
-                 plan.number(document, node[each == 10 ? tetgen_order[k] : static_cast<int>(k)]));
+                 plan.number(document, node[order.empty() ? k : static_cast<std::size_t>(order[k])]));
       to = std::copy(group.begin(), group.end(), put_values(to, before, written + i));
       return put(put_values(to, behind, written + i), '\n');
     });
