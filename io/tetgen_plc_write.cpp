@@ -78,8 +78,8 @@ class PlcWriter {
     const auto corners = static_cast<std::size_t>(type ? type->corners : block.nodes_each);
     const Values* markers = whole_facets ? plan_.facet_markers : nullptr;
     const std::string group = plan_.polygon_groups ? fmt::format(" {}", first_group(document_, block)) : "";
-    const auto put_marker = [&](char* to, std::size_t i) {
-      return std::copy(group.begin(), group.end(), put_values(to, markers, position + i));
+    const auto put_marker = [&](char* at, std::size_t i) {
+      return std::copy(group.begin(), group.end(), put_values(at, markers, position + i));
     };
     const std::size_t longest = 8 + (corners + 4) * (longest_integer + 1) + corners / corners_a_line + 2;
     write_items(file_, to - from, longest, [&](std::size_t i, char* at) {
