@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -31,12 +32,16 @@ AtomicFile::~AtomicFile() {
   if (beside_ != path_) std::remove(beside_.c_str());
 }
 
-void AtomicFile::expect([[maybe_unused]] std::size_t bytes) {
+// Room on the disk ahead of what is written: else ext4 looks for it only when the file takes the place of
+// another one, and has us wait for it. Where this cannot be done, writing says what is wrong, if anything.
+void AtomicFile::reserve([[maybe_unused]] std::size_t more) {
 #ifdef FALLOC_FL_KEEP_SIZE
-  // Else ext4 looks for room only when the file takes the place of another one, and has us wait for it. Where
-  // this cannot be done, writing says what is wrong, if anything.
-  if (bytes > 0)
-    static_cast<void>(::fallocate(::fileno(file_), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)));
+  constexpr std::size_t short_file = std::size_t{1} << 20, step = std::size_t{1} << 24;
+  if (written_ + more <= std::max(short_file, reserved_)) return;
+  const std::size_t room = std::max(written_ + more, reserved_ + step);
+  static_cast<void>(::fallocate(::fileno(file_), FALLOC_FL_KEEP_SIZE, static_cast<off_t>(reserved_),
+                                static_cast<off_t>(room - reserved_)));
+  reserved_ = room;
 #endif
 }
 
@@ -45,11 +50,15 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::write(std::string_view bytes, std::uint32_t crc32) {
+  reserve(bytes.size());
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("cannot write");
+  written_ += bytes.size();
   if (keeps_checksum_) checksum_ = io::crc32_joined(checksum_, crc32, bytes.size());
 }
 
 void AtomicFile::commit() {
+  if (reserved_ > written_ && std::fflush(file_) == 0)  // what was reserved beyond the end is given back
+    static_cast<void>(::ftruncate(::fileno(file_), static_cast<off_t>(written_)));
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (closed && (beside_ == path_ || std::rename(beside_.c_str(), path_.c_str()) == 0)) return;
   const int reason = errno;

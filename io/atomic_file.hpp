@@ -18,8 +18,6 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// That at least so many bytes will be written: a disk that has them ready takes them faster.
-  void expect(std::size_t bytes);
   void write(std::string_view bytes);
   /// The same for those who have taken their CRC-32 already, where `keeps_checksum`.
   void write(std::string_view bytes, std::uint32_t crc32);
@@ -30,10 +28,12 @@ class AtomicFile {
   void commit();
 
  private:
+  void reserve(std::size_t more);
   [[noreturn]] void fail(const char* what) const;
 
   std::string path_, beside_;
   std::FILE* file_ = nullptr;
+  std::size_t written_ = 0, reserved_ = 0;  // bytes
   bool keeps_checksum_ = false;
   std::uint32_t checksum_ = 0;
 };

@@ -27,12 +27,6 @@ class Writer {
   }
 
   void write() {
-    if (Binary) {  // which 4.0 is never written in
-      std::size_t numbers = 4 * document_.points.size();
-      for (std::size_t b : blocks_)
-        numbers += document_.blocks[b].count * (1 + document_.blocks[b].nodes_each);
-      file_.expect(8 * numbers);
-    }
     file_.write(msh_header(v40_ ? "4" : "4.1", Binary));
     file_.write(msh_kept_sections(document_, holds_, true));
     file_.write(msh_names(document_));
