@@ -31,7 +31,8 @@ Scratch::Scratch(std::size_t bytes) {
     size_ = std::exchange(mine.size, 0);
     return;
   }
-  constexpr std::size_t page = std::size_t{1} << 21;
+  // Little memory in small pages: what of a large one is not needed would be resident all the same.
+  const std::size_t page = std::size_t{1} << (bytes < std::size_t{1} << 20 ? 12 : 21);
   size_ = (bytes + page - 1) / page * page;
   memory_.reset(static_cast<char*>(std::aligned_alloc(page, size_)));
   if (!memory_) throw std::bad_alloc();

@@ -33,13 +33,17 @@ std::string as_comments(std::string_view lines);
 /// not know.
 std::vector<Checksum> read_supplement_head(std::string_view lines, Document& native);
 
-/// Puts back into `native`, as its reader made it, what `lines` (with their head) say. Their content is
+/// Puts back into `native`, as its reader made it, what `lines` (with their head) say; nothing
+/// if there are none. Their content is
 /// checked like that of any file; `place` begins the message of the InputError.
 void take_back(std::string_view lines, const std::string& place, Document& native);
 
-/// Takes back what stands in comments at the end of `file`, if anything does, and if the checksums are right:
-/// of this file, and of files called `stem` and an ending. Where they are not it is ignored with a warning.
-void take_back_comments(const std::string& file, const std::string& stem, Document& native);
+/// The lines that stand in comments at the end of `file`, if any do and the checksums are right: of this
+/// file, and of files called `stem` and an ending. Where they are not it is ignored with a warning.
+std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native);
+
+/// Whether values of elements in the native part are only for other programs, since the document has none.
+bool has_no_element_values(std::string_view lines);
 
 /// The warning for a file that was changed after its supplement was written.
 std::string outdated_supplement(const std::string& path);

@@ -55,11 +55,11 @@ std::string outdated_supplement(const std::string& path) {
       "{}: changed since its supplement (names, groups, ...) was written: the supplement is ignored", path);
 }
 
-void take_back_comments(const std::string& file, const std::string& stem, Document& native) {
+std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native) {
   const InputFile input(file);
   std::string_view bytes = input.bytes();
   const std::size_t start = find_start(bytes);
-  if (start == bytes.npos) return;
+  if (start == bytes.npos) return {};
   bytes.remove_prefix(start);
   std::string lines;
   while (bytes.starts_with(start_of_line)) {
@@ -68,14 +68,13 @@ void take_back_comments(const std::string& file, const std::string& stem, Docume
     bytes.remove_prefix(end == bytes.npos ? bytes.size() : end + 1);
   }
   const std::vector<Checksum> checksums = read_supplement_head(lines, native);
-  if (checksums.empty()) return;
+  if (checksums.empty()) return {};
   bool unchanged = bytes.empty();
   for (const Checksum& checksum : checksums)
     unchanged = unchanged && is_unchanged(checksum, input, start, stem);
-  if (unchanged)
-    take_back(lines, file, native);
-  else
-    native.warnings.push_back(outdated_supplement(file));
+  if (unchanged) return lines;
+  native.warnings.push_back(outdated_supplement(file));
+  return {};
 }
 
 }  // namespace tetproof::io

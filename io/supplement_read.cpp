@@ -287,7 +287,12 @@ std::vector<Checksum> read_supplement_head(std::string_view lines, Document& nat
   return checksums;
 }
 
+bool has_no_element_values(std::string_view lines) {
+  return lines.find("\nelement_values 0\n") != lines.npos;  // names of fields start their lines
+}
+
 void take_back(std::string_view lines, const std::string& place, Document& native) {
+  if (lines.empty()) return;
   const std::size_t head = lines.find('\n');
   Decoder in(head == lines.npos ? std::string_view{} : lines.substr(head), place);
   Joiner(in, native).join();

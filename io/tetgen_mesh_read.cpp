@@ -187,8 +187,9 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
   };
   Values attributes = values("attributes", file.attributes), markers = values("markers", 1),
          tets = values("neighbours", file.tets);
-  resize_in_large_pages(attributes.reals, file.count * attributes_each);
-  if (file.marked) resize_in_large_pages(markers.integers, file.count);
+  const bool attributed = file.attributes > 0 && file.with_values, marked = file.marked && file.with_values;
+  if (attributed) resize_in_large_pages(attributes.reals, file.count * attributes_each);
+  if (marked) resize_in_large_pages(markers.integers, file.count);
   resize_in_large_pages(tets.integers, file.count * tets_each);
 
   const std::int64_t base = document.first_node;
@@ -209,9 +210,15 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
     Index* const mine = document.connectivity.data() + nodes + i * each;
     for (std::size_t k = 0; k < each; ++k)
       if (!row.node(mine[order.empty() ? k : static_cast<std::size_t>(order[k])])) return false;
-    for (std::size_t k = 0; k < attributes_each; ++k)
-      if (!row.optional_real(attributes.reals[i * attributes_each + k], "an attribute")) return false;
-    if (file.marked && !row.optional_integer(markers.integers[i], "a boundary marker")) return false;
+    for (std::size_t k = 0; k < attributes_each; ++k) {
+      double attribute = 0;
+      if (!row.optional_real(attribute, "an attribute")) return false;
+      if (attributed) attributes.reals[i * attributes_each + k] = attribute;
+    }
+    if (std::int64_t marker = 0; file.marked) {
+      if (!row.optional_integer(marker, "a boundary marker")) return false;
+      if (marked) markers.integers[i] = marker;
+    }
     for (std::size_t k = 0; k < tets_each; ++k)
       if (!row.integer(tets.integers[i * tets_each + k], "the number of a tetrahedron")) return false;
     return true;
@@ -225,8 +232,8 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
                                .count = file.count,
                                .first = first,
                                .nodes = nodes});
-  if (file.attributes > 0) document.element_values.push_back(std::move(attributes));
-  if (file.marked) document.element_values.push_back(std::move(markers));
+  if (attributed) document.element_values.push_back(std::move(attributes));
+  if (marked) document.element_values.push_back(std::move(markers));
   if (file.tets > 0) document.element_values.push_back(std::move(tets));
   return {in.path(), first, file.count, nodes, file.nodes_each};
 }

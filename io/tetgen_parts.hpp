@@ -38,7 +38,8 @@ struct TetgenElementFile {
   std::size_t count = 0;
   int nodes_each = 4, attributes = 0;
   bool marked = false;
-  int tets = 0;  ///< columns of -nn: the tetrahedra at an element
+  int tets = 0;             ///< columns of -nn: the tetrahedra at an element
+  bool with_values = true;  ///< attributes and markers are kept
 };
 TetgenElementFile read_ele_header(Records&);
 /// `tets`: nodes of each tetrahedron beside it, 0 if there are none; what else the columns may be hangs on

@@ -33,9 +33,10 @@ class SetReader {
     if (!ele && !face && !edge)
       document_.warnings.push_back(
           fmt::format("{}.node: there is no {}.ele beside it: nodes only", set_.stem, set_.stem));
+    const std::string supplement = supplement_in_comments(set_.member(".node"), set_.stem, document_);
     read_node_file(set_.member(".node"), document_);
     NodeIndex index(document_);
-    elements(ele.get(), face.get(), edge.get(), index);
+    elements(ele.get(), face.get(), edge.get(), !has_no_element_values(supplement), index);
 
     integers(".neigh", tets_, ".ele", "tetrahedra", "neighbours", 4, true);
     integers(".t2f", tets_, ".ele", "tetrahedra", "faces", 4, false);
@@ -45,7 +46,7 @@ class SetReader {
       read_volume_bounds(vol->in, tets_, document_);
     fields(set_.member(".node"), index);
     if (voronoi) read_voronoi(set_.stem, document_);
-    take_back_comments(set_.member(".node"), set_.stem, document_);
+    take_back(supplement, set_.member(".node"), document_);
   }
 
   // As TetGen does with its switch -p.
@@ -62,7 +63,8 @@ class SetReader {
       read_elements(edge->in, file, index, document_);
     }
     fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
-    if (!places) take_back_comments(set_.path, set_.stem, document_);  // which may move elements
+    if (!places)  // it may move elements
+      take_back(supplement_in_comments(set_.path, set_.stem, document_), set_.path, document_);
   }
 
  private:
@@ -73,7 +75,7 @@ class SetReader {
   }
 
   // All headers first: they tell how much room is needed.
-  void elements(Member* ele, Member* face, Member* edge, NodeIndex& index) {
+  void elements(Member* ele, Member* face, Member* edge, bool with_values, NodeIndex& index) {
     std::optional<TetgenElementFile> ele_file, face_file, edge_file;
     if (ele) ele_file = read_ele_header(ele->in);
     if (face) face_file = read_face_header(face->in, ele_file ? ele_file->nodes_each : 0);
@@ -83,6 +85,9 @@ class SetReader {
     for (const auto& file : {ele_file, face_file, edge_file})
       if (file) room += file->count * static_cast<std::size_t>(file->nodes_each);
     reserve_in_large_pages(document_.connectivity, room);
+
+    for (auto* file : {&ele_file, &face_file, &edge_file})
+      if (*file) (*file)->with_values = with_values;
 
     document_.first_element = document_.first_node;
     if (ele) tets_ = read_elements(ele->in, *ele_file, index, document_);
