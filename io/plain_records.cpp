@@ -3,7 +3,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "io/large_pages.hpp"
@@ -12,7 +11,7 @@ namespace tetproof::io {
 
 void read_records(const Source& source, std::size_t offset, std::size_t size, std::size_t count,
                   const std::function<void(const char*, std::size_t, std::size_t)>& read) {
-  const std::size_t run = std::max<std::size_t>(1, (std::size_t{1} << 18) / size);
+  const std::size_t run = records_in_run(size);
   const std::size_t runs = (count + run - 1) / run;
   tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t r) {
     const std::size_t first = r * run, here = std::min(run, count - first);

@@ -2,6 +2,7 @@
 // Long runs of binary records of one size, read by several threads.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 
@@ -17,6 +18,11 @@ T number_at(const char* bytes) {
   T value;
   std::memcpy(&value, bytes, sizeof(T));
   return value;
+}
+
+/// How many records of so many bytes are read as one run.
+inline std::size_t records_in_run(std::size_t size) {
+  return std::max<std::size_t>(1, (std::size_t{1} << 18) / size);
 }
 
 /// Calls `read(bytes, first, count)` for runs of the `count` records of `size` bytes from `offset` on, which

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <random>
+#include <sstream>
 
 #include "document_text.hpp"
 #include "io/mesh_files.hpp"
@@ -139,6 +140,24 @@ Lines msh41(std::mt19937_64& random) {
   return lines;
 }
 
+// `one_in`: so many elements on average between those that stand once more for each of up to three groups.
+Lines with_copies(const Lines& lines, std::size_t first, std::size_t one_in, std::mt19937_64& random) {
+  Lines all(lines.begin(), lines.begin() + static_cast<int>(first));
+  for (auto line = lines.begin() + static_cast<int>(first); *line != "$EndElements"; ++line) {
+    all.push_back(*line);
+    for (std::uint64_t copy = random() % one_in == 0 ? 1 + random() % 3 : 0; copy > 0; --copy) {
+      std::istringstream words(*line);
+      std::string tag, type, tags, group, rest;
+      words >> tag >> type >> tags >> group;
+      std::getline(words, rest);
+      all.push_back(fmt::format("{} {} {} {}{}", 100000 + all.size(), type, tags, 4 + copy, rest));
+    }
+  }
+  all[first - 1] = std::to_string(all.size() - first);
+  all.push_back("$EndElements");
+  return all;
+}
+
 // What reading comes to: the document and its warnings, or the message, without the file's name.
 std::string outcome(const std::function<Document()>& read, const std::string& folder) {
   std::string text;
@@ -204,6 +223,17 @@ void try_all(const Lines& lines, const std::vector<Section>& sections) {
 TEST(PlainLines, Msh22) {
   std::mt19937_64 random(1);
   try_all(msh22(random), {{5, 4000}, {5 + 4000 + 3, 30000}});
+}
+
+TEST(PlainLines, ElementsInSeveralGroups) {
+  std::mt19937_64 random(4);
+  for (const std::size_t one_in : {1u, 2u, 50u, 20000u}) {
+    const std::size_t first = 5 + 4000 + 3;
+    const Lines lines = with_copies(msh22(random), first, one_in, random);
+    Lines slow = lines;
+    slow[first].insert(0, "\v");
+    expect_same(lines, slow, "copies");
+  }
 }
 
 TEST(PlainLines, Msh41) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long blocks of binary .msh 4.1 are read by several threads where all is as usual in this machine's byte
-// order. In the other order they are read number by number: the same file in both must say the same.
+// Long blocks of binary .msh 4.1 and 2.2 are read by several threads where all is as usual in this machine's
+// byte order. In the other order they are read number by number: the same file in both must say the same.
 #include "io/plain_records.hpp"
 
 #include <gtest/gtest.h>
@@ -80,6 +80,52 @@ std::string file_of(const Content& content, bool swapped) {
   return out.text;
 }
 
+// The same as 2.2: `again` says whether an element stands again, in another group; every block begins and
+// ends within runs of like elements that several headers cut.
+std::string file22_of(const Content& content, const std::function<bool(std::size_t)>& again, bool swapped) {
+  Bytes out(swapped);
+  out.text = "$MeshFormat\n2.2 1 8\n";
+  out.put(std::int32_t{1});
+  std::size_t nodes = 0;
+  for (const auto& tags : content.node_tags) nodes += tags.size();
+  out.text += "\n$EndMeshFormat\n$Nodes\n" + std::to_string(nodes) + "\n";
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (const auto& tags : content.node_tags)
+    for (const std::int64_t tag : tags) {
+      out.put(static_cast<std::int32_t>(tag));
+      for (int k = 0; k < 3; ++k) out.put(any(random));
+    }
+  struct Element {
+    std::size_t block, i;
+    std::int32_t group, tag;
+  };
+  std::vector<Element> elements;
+  for (std::size_t b = 0; b < content.blocks.size(); ++b)
+    for (std::size_t i = 0; i < content.blocks[b].tags.size(); ++i) {
+      elements.push_back(
+          {b, i, static_cast<std::int32_t>(i / 9000), static_cast<std::int32_t>(content.blocks[b].tags[i])});
+      if (again(i)) elements.push_back({b, i, 7, static_cast<std::int32_t>(500000 + elements.size())});
+    }
+  out.text += "\n$EndNodes\n$Elements\n" + std::to_string(elements.size()) + "\n";
+  for (std::size_t start = 0, end; start < elements.size(); start = end) {
+    for (end = start;
+         end < elements.size() && end < start + 7001 && elements[end].block == elements[start].block;)
+      ++end;
+    const Content::Block& block = content.blocks[elements[start].block];
+    for (const std::int32_t n : {block.type, static_cast<std::int32_t>(end - start), 2}) out.put(n);
+    for (std::size_t e = start; e < end; ++e) {
+      for (const std::int32_t n : {elements[e].tag, elements[e].group, 3}) out.put(n);
+      for (int k = 0; k < block.each; ++k)
+        out.put(static_cast<std::int32_t>(
+            block.nodes[elements[e].i * static_cast<std::size_t>(block.each) + static_cast<std::size_t>(k)]));
+    }
+  }
+  out.text += "\n$EndElements\n";
+  out.text.resize(out.text.size() - content.cut);
+  return out.text;
+}
+
 std::vector<std::int64_t> tags_from(std::int64_t first, std::size_t count, std::int64_t step = 1) {
   std::vector<std::int64_t> tags(count);
   for (std::size_t i = 0; i < count; ++i) tags[i] = first + step * static_cast<std::int64_t>(i);
@@ -143,6 +189,35 @@ TEST(PlainRecords, BothByteOrdersSayTheSame) {
     EXPECT_EQ(fast == slow, true) << what << ":\n" << fast.substr(0, 300) << "\nand\n" << slow.substr(0, 300);
     EXPECT_EQ(fast.starts_with("InputError"), content.cut > 0 || what == std::string("a node twice")) << what;
   }
+}
+
+TEST(PlainRecords, BothByteOrdersSayTheSameIn22) {
+  using Change = std::function<void(Content&)>;
+  const std::vector<std::pair<const char*, Change>> changes{
+      {"as usual", [](Content&) {}},
+      {"gaps between blocks", [](Content& c) { c.node_tags[2] = tags_from(3016, 20000); }},
+      {"gaps everywhere", [](Content& c) { c.node_tags[2] = tags_from(3006, 20000, 7); }},
+      {"two nodes exchanged", [](Content& c) { std::swap(c.node_tags[2][15000], c.node_tags[2][15001]); }},
+      {"no such node", [](Content& c) { c.blocks[1].nodes[77777] = 23006; }},
+      {"a negative node", [](Content& c) { c.blocks[1].nodes[77777] = -1; }},
+      {"elements downwards", [](Content& c) { c.blocks[1].tags = tags_from(400000, 30000, -1); }},
+      {"an element twice", [](Content& c) { c.blocks[1].tags[25000] = 3; }},
+      {"cut in the last block", [](Content& c) { c.cut = 100; }},
+      {"cut before it", [](Content& c) { c.cut = 52 * 1500 + 300000; }}};
+  const std::vector<std::function<bool(std::size_t)>> copies{[](std::size_t) { return false; },
+                                                             [](std::size_t) { return true; },
+                                                             [](std::size_t i) { return i % 997 == 0; }};
+  for (const auto& [what, change] : changes)
+    for (const auto& again : copies) {
+      Content content = usual();
+      change(content);
+      const std::string fast = outcome(file22_of(content, again, false)),
+                        slow = outcome(file22_of(content, again, true));
+      EXPECT_EQ(fast == slow, true) << what << ":\n"
+                                    << fast.substr(0, 300) << "\nand\n"
+                                    << slow.substr(0, 300);
+      EXPECT_EQ(fast.starts_with("InputError"), content.cut > 0) << what;
+    }
 }
 
 TEST(PlainRecords, EveryRecordOnce) {
