@@ -39,6 +39,12 @@ constexpr MeditMark marks[] = {{"Corners", 0},       {"RequiredVertices", 0},  {
 
 }  // namespace
 
+bool looks_like_medit_keyword(std::string_view word) {
+  return !word.empty() && is_medit_letter(word[0]) && std::all_of(word.begin(), word.end(), [](char c) {
+    return is_medit_letter(c) || c == '_' || (c >= '0' && c <= '9');
+  });
+}
+
 const MeditKeyword* medit_keyword(int code) {
   for (const MeditKeyword& keyword : keywords)
     if (keyword.code == code) return &keyword;

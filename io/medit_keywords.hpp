@@ -21,6 +21,12 @@ struct MeditKeyword {
 
 inline constexpr int medit_dimension = 3, medit_vertices = 4, medit_end = 54;
 
+constexpr bool is_medit_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+/// Whether a word has the form of a keyword, known or not: letters, digits and _, a letter first.
+bool looks_like_medit_keyword(std::string_view word);
+
 /// Null: no such keyword, or none of a fixed form.
 const MeditKeyword* medit_keyword(int code);
 const MeditKeyword* medit_keyword(std::string_view name);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Medit's files, text and binary: the same keywords in both, so one writer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,82 +11,12 @@
 #include "io/byte_order.hpp"
 #include "io/element_types.hpp"
 #include "io/medit.hpp"
-#include "io/medit_keywords.hpp"
+#include "io/medit_places.hpp"
 #include "io/second_order.hpp"
 #include "io/text_output.hpp"
 
 namespace tetproof::io {
 namespace {
-
-// Where the elements of a block go: their keyword, and how many of their nodes. Null: nowhere.
-struct Place {
-  const MeditKeyword* keyword = nullptr;
-  int nodes = 0;
-};
-
-Place place_of(const ElementBlock& block) {
-  const ElementType* type = element_type(block.type);
-  if (!type || type->nodes != block.nodes_each) return {};
-  for (const MeditKeyword* keyword : medit_elements())
-    if (keyword->element == block.type) return {keyword, block.nodes_each};
-  for (const MeditKeyword* keyword : medit_elements())  // the linear one of the same shape
-    if (const ElementType* linear = element_type(keyword->element);
-        linear->shape == type->shape && linear->nodes == linear->corners)
-      return {keyword, linear->nodes};
-  return {};
-}
-
-// Whether numbers that no node or element has still have none when these count up from 1.
-bool numbers_stay(const Document& document) {
-  return document.node_tags.empty() && document.first_node == 1;
-}
-
-std::int64_t first_group(const Document& document, const ElementBlock& block) {
-  const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
-  return set.empty() ? 0 : set[0];
-}
-
-const Values* references_of(const Document& document) {
-  for (const Values& values : document.node_values)
-    if (values.name == "references" && values.components == 1 && values.at.empty() && values.first == 0 &&
-        values.size() == document.points.size())
-      return &values;
-  return nullptr;
-}
-
-bool is_mark(const Values& values, bool of_nodes) {
-  const MeditMark* mark = medit_mark(values.name);
-  return mark && (mark->element == 0) == of_nodes && !values.at.empty() && values.components == 1;
-}
-
-// Whether the text reader takes `body` back as it is.
-bool is_plain_body(const std::string& body) {
-  constexpr const char* blanks = " \t\r\n\v\f";
-  if (body.find('\0') != std::string::npos) return false;
-  if (!body.empty() && (body.find_first_of(blanks) == 0 || body.find_last_of(blanks) + 1 == body.size()))
-    return false;
-  for (std::size_t line = body.find_first_of("\n\r"); line != std::string::npos;
-       line = body.find_first_of("\n\r", line + 1)) {
-    const std::size_t next = body.find_first_not_of(" \t", line + 1);
-    if (next != std::string::npos && ((body[next] | 32) >= 'a' && (body[next] | 32) <= 'z')) return false;
-  }
-  return true;
-}
-
-bool is_plain_name(const std::string& name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return !name.empty() && letter(name[0]) && name != "End" && name != "MeshVersionFormatted" &&
-         name != "Dimension" && name != "Vertices" && !name.ends_with("Ordering") && !medit_mark(name) &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c) { return letter(c) || c == '_' || (c >= '0' && c <= '9'); });
-}
-
-bool writes_section(const Section& section, bool binary) {
-  if (section.format != "medit" || section.binary || !is_plain_name(section.name)) return false;
-  const MeditKeyword* keyword = medit_keyword(section.name);
-  if (keyword && keyword->element != 0) return false;
-  return binary ? keyword && medit_lines(*keyword, section.body, 3) : is_plain_body(section.body);
-}
 
 class Writer {
  public:
@@ -93,10 +24,10 @@ class Writer {
       : file_(file),
         document_(document),
         binary_(binary),
-        stay_(numbers_stay(document)),
-        references_(references_of(document)) {
+        stay_(medit_numbers_stay(document)),
+        references_(medit_references(document)) {
     for (const ElementBlock& block : document.blocks) {
-      const Place place = place_of(block);
+      const MeditPlace place = medit_place(block);
       if (!place.keyword) continue;
       const auto at = std::find(medit_elements().begin(), medit_elements().end(), place.keyword);
       lists_[static_cast<std::size_t>(at - medit_elements().begin())].push_back(&block);
@@ -115,7 +46,8 @@ class Writer {
     marks(document_.element_values, false);
     std::set<std::string> written;
     for (const Section& section : document_.sections)
-      if (writes_section(section, binary_) && written.insert(section.name).second) this->section(section);
+      if (writes_medit_section(section, binary_) && written.insert(section.name).second)
+        this->section(section);
     if (binary_)
       start(medit_end, 0);
     else
@@ -136,7 +68,7 @@ class Writer {
     for (std::size_t i = 0; references_ && i < references_->integers.size(); ++i)
       see(references_->integers[i]);
     for (const std::int64_t number : document_.unknown) see(number);
-    for (const ElementBlock& block : document_.blocks) see(first_group(document_, block));
+    for (const ElementBlock& block : document_.blocks) see(medit_reference(document_, block));
     std::size_t size = 1000 + 32 * document_.points.size();
     for (const ElementBlock& block : document_.blocks)
       size += block.count * static_cast<std::size_t>(block.nodes_each + 1) * 4;
@@ -144,7 +76,8 @@ class Writer {
       for (const Values& each : *values) size += 4 * each.at.size() + 100;
     for (const Section& section : document_.sections) size += 8 * section.body.size() + 100;
     for (const Section& section : document_.sections)
-      if (const MeditKeyword* keyword = medit_keyword(section.name); keyword && writes_section(section, true))
+      if (const MeditKeyword* keyword = medit_keyword(section.name);
+          keyword && writes_medit_section(section, true))
         for (const MeditLines lines = *medit_lines(*keyword, section.body, 3);
              const std::int64_t value : lines.integers)
           see(value);
@@ -225,7 +158,7 @@ class Writer {
     head(keyword, count, (each + 1) * integer_size());
     const auto order = node_order(keyword.element, NodeOrder::medit);
     for (const ElementBlock* block : blocks) {
-      const std::int64_t group = first_group(document_, *block);
+      const std::int64_t group = medit_reference(document_, *block);
       write_items(file_, block->count, (each + 1) * (longest_integer + 1), [&](std::size_t e, char* to) {
         const Index* nodes = nodes_of(*block, e);
         if (!is_written(nodes, block->nodes_each)) return to;
@@ -246,7 +179,7 @@ class Writer {
   void marks(const std::vector<Values>& all, bool of_nodes) {
     std::set<std::string> written;
     for (const Values& values : all) {
-      if (!is_mark(values, of_nodes) || !written.insert(values.name).second) continue;
+      if (!is_medit_mark(values, of_nodes) || !written.insert(values.name).second) continue;
       std::vector<std::int64_t> numbers;
       for (const Index at : values.at)
         if (at < 0 && stay_)
@@ -272,12 +205,12 @@ class Writer {
         std::int64_t next = 0;
         for (const ElementBlock* block : blocks)
           for (std::size_t e = 0; e < block->count; ++e)
-            if (is_written(nodes_of(*block, e), place_of(*block).nodes)) ranks_[block->first + e] = ++next;
+            if (is_written(nodes_of(*block, e), medit_place(*block).nodes)) ranks_[block->first + e] = ++next;
       }
     }
     for (const ElementBlock& block : document_.blocks)
       if (element >= block.first && element < block.first + block.count) {
-        const Place place = place_of(block);
+        const MeditPlace place = medit_place(block);
         return place.keyword && place.keyword->element == type ? ranks_[element] : 0;
       }
     return 0;
@@ -330,76 +263,6 @@ class Writer {
 
 void write_medit(AtomicFile& file, const Document& document, bool binary) {
   Writer(file, document, binary).write();
-}
-
-Holds medit_holds(const Document& document, bool binary) {
-  Holds holds;
-  holds.unknown_nodes = numbers_stay(document);
-  holds.groups = Holds::Groups::first;
-  const auto is_none = [&document](const ElementBlock& block) {  // a group that is written as none
-    const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
-    return !set.empty() && set[0] == 0;
-  };
-  if (std::any_of(document.blocks.begin(), document.blocks.end(), is_none))
-    holds.groups_of = [&document, is_none](const ElementBlock& block) {
-      return document.tag_sets[static_cast<std::size_t>(block.groups)].size() < 2 && !is_none(block);
-    };
-  holds.nodes_each = [](const ElementBlock& block) { return place_of(block).nodes; };
-  holds.kind = [](const ElementBlock& block) {
-    const Place place = place_of(block);
-    const auto& all = medit_elements();
-    return static_cast<int>(std::find(all.begin(), all.end(), place.keyword) - all.begin());
-  };
-  holds.values = [&document, binary](const Values& values, Of of) {
-    if (of == Of::element_node || values.of_view || !values.labels.empty() || !values.nodes.empty() ||
-        values.time != 0 || values.step != 0 || values.partition != 0 || !values.interpolation.empty())
-      return false;
-    const auto& all = of == Of::node ? document.node_values : document.element_values;
-    for (const Values& before : all) {
-      if (&before == &values) break;
-      if (before.name == values.name) return false;
-    }
-    if (of == Of::node && references_of(document) == &values) {
-      if (values.reals.empty())
-        return std::any_of(values.integers.begin(), values.integers.end(),
-                           [](std::int64_t r) { return r != 0; }) &&
-               std::all_of(values.integers.begin(), values.integers.end(), [](std::int64_t r) {
-                 return r < 9'000'000'000'000'000 && r > -9'000'000'000'000'000;
-               });
-      return !binary && std::all_of(values.reals.begin(), values.reals.end(), [](double r) {
-        return std::abs(r) < 9e15;
-      }) && std::any_of(values.reals.begin(), values.reals.end(), [](double r) {
-        return r != std::floor(r);
-      });
-    }
-    if (!is_mark(values, of == Of::node) || values.integers.size() != values.at.size() ||
-        std::any_of(values.integers.begin(), values.integers.end(),
-                    [](std::int64_t one) { return one != 1; }))
-      return false;
-    if (!numbers_stay(document) &&
-        std::any_of(values.at.begin(), values.at.end(), [](Index at) { return at < 0; }))
-      return false;
-    if (of == Of::node) return true;
-    // All of the type that the keyword is for.
-    return std::all_of(values.at.begin(), values.at.end(), [&](Index at) {
-      for (const ElementBlock& block : document.blocks)
-        if (at >= 0 && static_cast<std::size_t>(at) < block.first + block.count)
-          return place_of(block).keyword &&
-                 place_of(block).keyword->element == medit_mark(values.name)->element;
-      return false;
-    });
-  };
-  holds.section = [&document, binary](const Section& section) {
-    if (!writes_section(section, binary) || section.swapped || section.before_nodes) return false;
-    for (const Section& before : document.sections) {
-      if (&before == &section) break;
-      if (before.name == section.name && writes_section(before, binary)) return false;
-    }
-    if (!binary) return true;
-    const MeditKeyword& keyword = *medit_keyword(section.name);
-    return medit_body(keyword, *medit_lines(keyword, section.body, 3), 3) == section.body;
-  };
-  return holds;
 }
 
 }  // namespace tetproof::io

@@ -13,6 +13,13 @@ bool is_code(std::string_view text) {
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::string encode_name(std::string_view name, bool blanks) {
   std::string word;
   for (std::size_t i = 0; i < name.size(); ++i) {

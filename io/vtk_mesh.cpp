@@ -10,30 +10,10 @@
 
 #include "io/element_types.hpp"
 #include "io/second_order.hpp"
+#include "io/vtk_cells.hpp"
 
 namespace tetproof::io {
 namespace {
-
-struct Cell {
-  int gmsh, vtk, nodes;
-};
-// clang-format off
-constexpr Cell cells[] = {{15, 1, 1}, {1, 3, 2}, {2, 5, 3}, {3, 9, 4}, {4, 10, 4}, {5, 12, 8}, {6, 13, 6}, {7, 14, 5},
-                          {8, 21, 3}, {9, 22, 6}, {16, 23, 8}, {10, 28, 9}, {11, 24, 10}, {17, 25, 20}, {12, 29, 27},
-                          {18, 26, 15}, {13, 32, 18}, {19, 27, 13}, {26, 35, 4}};
-// clang-format on
-
-// The type of VTK's linear cell of a shape.
-int linear_cell(Shape shape) {
-  constexpr int types[] = {1, 3, 5, 9, 10, 12, 13, 14};
-  return shape <= Shape::pyramid ? types[static_cast<int>(shape)] : 0;
-}
-
-int gmsh_type_of_linear(int vtk) {
-  for (const Cell& cell : cells)
-    if (cell.vtk == vtk) return cell.gmsh;
-  return 0;
-}
 
 bool covers(const Values& values, std::size_t items) {
   for (std::size_t k = 0; k < values.at.size(); ++k)
@@ -117,7 +97,8 @@ class Maker {
       if (cell.type == 0) continue;
       const auto order = cell.nodes == block.nodes_each
                              ? node_order(block.type, NodeOrder::vtk)
-                             : node_order(gmsh_type_of_linear(cell.type), NodeOrder::vtk);
+                             : node_order(gmsh_type_of_cell(cell.type, static_cast<std::size_t>(cell.nodes)),
+                                          NodeOrder::vtk);
       for (std::size_t e = 0; e < block.count; ++e) {
         const Index* nodes = document_.connectivity.data() + block.nodes + e * block.nodes_each;
         if (std::any_of(nodes, nodes + block.nodes_each, [](Index i) { return i < 0; })) continue;
@@ -204,16 +185,6 @@ class Maker {
 };
 
 }  // namespace
-
-VtkCell vtk_cell(const ElementBlock& block) {
-  if (block.type == polygon) return {7, block.nodes_each};
-  for (const Cell& cell : cells)
-    if (cell.gmsh == block.type && cell.nodes == block.nodes_each) return {cell.vtk, cell.nodes};
-  const ElementType* type = element_type(block.type);
-  if (!type || type->nodes != block.nodes_each) return {};
-  const int linear = linear_cell(type->shape);
-  return linear == 0 ? VtkCell{} : VtkCell{linear, type->corners};
-}
 
 VtkMesh vtk_mesh(const Document& document, const std::string& entity_name) {
   return Maker(document, entity_name).mesh();

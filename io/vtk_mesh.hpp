@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What VTK's two file formats have in common: cells, and arrays of points, cells and of neither.
+// What VTK's two file formats have in common: arrays of points, cells and of neither.
 #pragma once
 
 #include <deque>
@@ -12,13 +12,6 @@
 #include "io/vtk_types.hpp"
 
 namespace tetproof::io {
-
-/// How VTK has the elements of a block: its number of the cell type, and how many of their nodes (all, or the
-/// corners where it has no such element of higher order). Type 0: not at all.
-struct VtkCell {
-  int type = 0, nodes = 0;
-};
-VtkCell vtk_cell(const ElementBlock& block);
 
 /// Cells and arrays in VTK's terms, read from a file and not yet checked.
 struct VtkPiece {

@@ -10,39 +10,11 @@
 #include "io/error.hpp"
 #include "io/second_order.hpp"
 #include "io/tag_sets.hpp"
+#include "io/vtk_cells.hpp"
 #include "io/vtk_mesh.hpp"
 
 namespace tetproof::io {
 namespace {
-
-// VTK's numbers of cells that are several elements, or one after a change of order.
-enum { poly_vertex = 2, poly_line = 4, strip = 6, vtk_polygon = 7, pixel = 8, voxel = 11 };
-
-// Gmsh's type for VTK's, by the number of nodes where that tells; 0: none.
-int gmsh_type(std::int64_t vtk, std::size_t nodes) {
-  struct Cell {
-    int vtk;
-    std::size_t nodes;
-    int gmsh;
-  };
-  // clang-format off
-  static constexpr Cell cells[] = {
-      {1, 1, 15}, {3, 2, 1}, {5, 3, 2}, {9, 4, 3}, {10, 4, 4}, {12, 8, 5}, {13, 6, 6}, {14, 5, 7},
-      {21, 3, 8}, {22, 6, 9}, {23, 8, 16}, {24, 10, 11}, {25, 20, 17}, {26, 15, 18}, {27, 13, 19}, {28, 9, 10},
-      {29, 27, 12}, {32, 18, 13}, {35, 4, 26},
-      // Lagrange's of order 1 and 2, which have the same order of nodes.
-      {68, 2, 1}, {68, 3, 8}, {69, 3, 2}, {69, 6, 9}, {70, 4, 3}, {70, 9, 10}, {71, 4, 4}, {71, 10, 11}};
-  // clang-format on
-  for (const Cell& cell : cells)
-    if (cell.vtk == vtk && cell.nodes == nodes) return cell.gmsh;
-  return 0;
-}
-
-// How many nodes VTK's linear and quadratic cells have: another number is a contradiction.
-bool has_fixed_size(std::int64_t vtk) {
-  return vtk == 1 || vtk == 3 || vtk == 5 || vtk == vtk_polygon || (vtk >= pixel && vtk <= 14) ||
-         (vtk >= 21 && vtk <= 29) || vtk == 32 || vtk == 35;
-}
 
 class Adder {
  public:
@@ -126,14 +98,14 @@ class Adder {
       for (const std::size_t i : which) some[k++] = nodes[i];
       element(c, gmsh, {some, k});
     };
-    if (type == poly_vertex || type == poly_line || type == strip) {
-      const std::size_t least = type == poly_vertex ? 1 : type == poly_line ? 2 : 3;
+    if (type == vtk_poly_vertex || type == vtk_poly_line || type == vtk_strip) {
+      const std::size_t least = type == vtk_poly_vertex ? 1 : type == vtk_poly_line ? 2 : 3;
       if (n < least) fail(fmt::format("cell {}: expected {} points or more, found {}", c, least, n));
       split_ = split_ || n != least;
       for (std::size_t i = 0; i + least <= n; ++i)
-        if (type == poly_vertex)
+        if (type == vtk_poly_vertex)
           part(point1, {i});
-        else if (type == poly_line)
+        else if (type == vtk_poly_line)
           part(line2, {i, i + 1});
         else if (i % 2 == 0)
           part(triangle3, {i, i + 1, i + 2});
@@ -143,9 +115,9 @@ class Adder {
     }
     if (type == vtk_polygon && n > 0)
       return element(c, n == 3 ? triangle3 : n == 4 ? quadrangle4 : polygon, nodes);
-    if (type == pixel && n == 4) return part(quadrangle4, {0, 1, 3, 2});
-    if (type == voxel && n == 8) return part(5, {0, 1, 3, 2, 4, 5, 7, 6});
-    const int gmsh = gmsh_type(type, n);
+    if (type == vtk_pixel && n == 4) return part(quadrangle4, {0, 1, 3, 2});
+    if (type == vtk_voxel && n == 8) return part(5, {0, 1, 3, 2, 4, 5, 7, 6});
+    const int gmsh = gmsh_type_of_cell(type, n);
     if (gmsh != 0) return element(c, gmsh, nodes);
     if (has_fixed_size(type))
       fail(fmt::format("cell {}: a cell of VTK's type {} does not have {} points", c, type, n));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// VTK's legacy files, text and binary.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,32 +10,10 @@
 #include "io/text_output.hpp"
 #include "io/vtk.hpp"
 #include "io/vtk_mesh.hpp"
+#include "io/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
-
-const char* legacy_type(std::string_view type) {
-  // clang-format off
-  static constexpr std::pair<std::string_view, const char*> types[] = {
-      {"Int8", "char"}, {"UInt8", "unsigned_char"}, {"Int16", "short"}, {"UInt16", "unsigned_short"},
-      {"Int32", "int"}, {"UInt32", "unsigned_int"}, {"Int64", "vtktypeint64"}, {"UInt64", "vtktypeuint64"},
-      {"Float32", "float"}, {"Float64", "double"}, {"String", "string"}};
-  // clang-format on
-  for (const auto& [name, legacy] : types)
-    if (name == type) return legacy;
-  return "double";
-}
-
-// A name or text without blanks, line ends and what is not ASCII.
-std::string encoded(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (c <= ' ' || c > '~' || c == '"' || c == '%')
-      safe += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    else
-      safe += c;
-  return safe;
-}
 
 // The line has 256 bytes to VTK, its end included.
 constexpr std::size_t longest_title = 255;
@@ -104,7 +83,7 @@ class Writer {
     std::size_t fields = arrays.size();
     if (arrays[0].name == "CellEntityIds") {  // as Gmsh writes it
       const char* type = all_int(arrays[0]) ? "Int32" : "Int64";
-      file_.write(fmt::format("SCALARS CellEntityIds {} 1\nLOOKUP_TABLE default\n", legacy_type(type)));
+      file_.write(fmt::format("SCALARS CellEntityIds {} 1\nLOOKUP_TABLE default\n", vtk_word_of_type(type)));
       body(arrays[0], type);
       --fields;
     }
@@ -115,8 +94,9 @@ class Writer {
   }
 
   void array(const VtkArray& array, const std::string& type) {
-    file_.write(fmt::format("{} {} {} {}\n", encoded(array.name), array.components,
-                            array.size() / static_cast<std::size_t>(array.components), legacy_type(type)));
+    file_.write(fmt::format("{} {} {} {}\n", vtk_encoded(array.name), array.components,
+                            array.size() / static_cast<std::size_t>(array.components),
+                            vtk_word_of_type(type)));
     body(array, type);
   }
 
@@ -133,7 +113,7 @@ class Writer {
   void strings(const VtkArray& array) {
     for (const std::string& text : array.texts) {
       if (!binary_) {
-        file_.write(encoded(text) + "\n");
+        file_.write(vtk_encoded(text) + "\n");
         continue;
       }
       char length[4];

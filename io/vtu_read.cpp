@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The XML of a .vtu file. What stands between its tags, which may be most of many gigabytes, and is no XML
-// where it is appended raw, is kept from the XML parser.
+// What the XML of a .vtu file says: pieces, and where the numbers of their arrays stand.
 #include <fmt/format.h>
 
 #include <limits>
@@ -11,116 +10,15 @@
 #include "io/vtk_mesh.hpp"
 #include "io/vtu.hpp"
 #include "io/vtu_data.hpp"
+#include "io/vtu_skeleton.hpp"
 
 namespace tetproof::io {
 namespace {
 
-constexpr int most_nested = 64;
-
-// The tags of a file, each text between them replaced by its number in `texts`.
-struct Skeleton {
-  struct Text {
-    std::size_t begin, end;
-  };
-  std::string xml;
-  std::vector<Text> texts;
-  std::vector<std::pair<std::size_t, std::size_t>> tags;  // place of each in `xml`, and in the file
-  std::size_t appended = 0;  // where appended data begin, behind the underscore; 0: none
-
-  std::size_t place(std::ptrdiff_t in_xml) const {
-    std::size_t found = 0;
-    for (const auto& [here, there] : tags)
-      if (static_cast<std::ptrdiff_t>(here) <= in_xml)
-        found = there + static_cast<std::size_t>(in_xml) - here;
-    return found;
-  }
-};
-
-class Cutter {
- public:
-  explicit Cutter(const InputFile& file)
-      : path_(file.path()), bytes_(file.bytes()), at_(bytes_.starts_with("\xEF\xBB\xBF") ? 3 : 0) {}
-
-  Skeleton cut() {
-    while (at_ < bytes_.size() && skeleton_.appended == 0) bytes_[at_] == '<' ? markup() : text();
-    return std::move(skeleton_);
-  }
-
- private:
-  [[noreturn]] void fail(std::string_view message) const {
-    Scanner(path_, bytes_, at_).fail_in_line(message);
-  }
-
-  void skip_to(std::string_view end) {
-    const std::size_t found = bytes_.find(end, at_);
-    if (found == std::string_view::npos) fail(fmt::format("expected {}, found the end of the file", end));
-    at_ = found + end.size();
-  }
-
-  void text() {
-    const std::size_t begin = at_;
-    at_ = std::min(bytes_.find('<', at_), bytes_.size());
-    if (bytes_.substr(begin, at_ - begin).find_first_not_of(" \t\r\n") == std::string_view::npos) return;
-    if (depth_ == 0 && !skeleton_.tags.empty()) fail("expected the end of the file behind </VTKFile>");
-    // A comma where a comment stood between two texts, which is told below.
-    if (!skeleton_.xml.empty() && skeleton_.xml.back() != '>') skeleton_.xml += ',';
-    skeleton_.xml += fmt::format("{}", skeleton_.texts.size());
-    skeleton_.texts.push_back({begin, at_});
-  }
-
-  void markup() {
-    const std::string_view rest = bytes_.substr(at_);
-    if (rest.starts_with("<!--")) return skip_to("-->");
-    if (rest.starts_with("<?")) return skip_to("?>");
-    if (rest.starts_with("<![")) fail("expected no CDATA section");
-    if (rest.starts_with("<!")) return skip_to(">");
-    const std::size_t begin = at_;
-    char quote = '\0';
-    std::size_t attributes = 0;
-    for (++at_; at_ < bytes_.size(); ++at_) {
-      const char c = bytes_[at_];
-      if (quote ? c == quote : c == '"' || c == '\'') {
-        attributes += quote == '\0';
-        quote = quote ? '\0' : c;
-      } else if (!quote && c == '>') {
-        break;
-      }
-    }
-    if (at_ == bytes_.size()) fail("expected the end of a tag, found the end of the file");
-    std::string_view tag = bytes_.substr(begin, ++at_ - begin);
-    // What pugixml makes of it, roughly.
-    memory_ += 64 + 40 * attributes + tag.size();
-    if (memory_ > (std::size_t{64} << 20) + 8 * bytes_.size())
-      fail("more tags than a file of this size needs");
-    skeleton_.tags.emplace_back(skeleton_.xml.size(), begin);
-    const bool closing = tag[1] == '/', alone = tag[tag.size() - 2] == '/';
-    if (tag.starts_with("<AppendedData") && !alone) {
-      skeleton_.xml += tag;
-      skeleton_.xml += "</AppendedData></VTKFile>";
-      at_ = bytes_.find_first_not_of(" \t\r\n", at_);
-      if (at_ >= bytes_.size() || bytes_[at_] != '_') {
-        at_ = std::min(at_, bytes_.size());
-        fail("expected the _ in front of appended data");
-      }
-      skeleton_.appended = at_ + 1;
-      return;
-    }
-    skeleton_.xml += tag;
-    depth_ += closing ? -1 : alone ? 0 : 1;
-    if (depth_ > most_nested) fail(fmt::format("tags are nested more than {} deep", most_nested));
-  }
-
-  const std::string& path_;
-  std::string_view bytes_;
-  std::size_t at_, memory_ = 0;
-  int depth_ = 0;
-  Skeleton skeleton_;
-};
-
 class Reader {
  public:
   explicit Reader(const InputFile& file)
-      : file_(file), skeleton_(Cutter(file).cut()), encoding_{.path = file.path(), .bytes = file.bytes()} {
+      : file_(file), skeleton_(vtu_skeleton(file)), encoding_{.path = file.path(), .bytes = file.bytes()} {
     document_.path = file.path();
     document_.format = "vtu";
     document_.first_node = document_.first_element = 0;
@@ -285,7 +183,7 @@ class Reader {
   }
 
   const InputFile& file_;
-  Skeleton skeleton_;
+  VtuSkeleton skeleton_;
   VtuEncoding encoding_;
   bool appended_raw_ = false;
   std::size_t appended_end_ = 0;
