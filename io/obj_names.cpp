@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "io/input_file.hpp"
 #include "io/surface_document.hpp"
 #include "io/tokens.hpp"
 
@@ -66,6 +65,21 @@ GroupWords::GroupWords(const Document& document) {
 bool GroupWords::holds(const GroupName& name) const {
   const auto word = words_.find({name.dim, name.group});
   return word != words_.end() && !group_number(word->second) && decode_name(word->second) == name.name;
+}
+
+void GroupNumbers::take_comments(const InputFile& file) {
+  const std::string_view bytes = file.bytes();
+  for (std::size_t at = 0; (at = bytes.find(group_comment, at)) != bytes.npos;) {
+    const bool starts_line = at > 0 && (bytes[at - 1] == '\n' || bytes[at - 1] == '\r');
+    at += group_comment.size();
+    Scanner line(file.path(), bytes, at);
+    const std::string_view text = line.rest_of_line();
+    const std::size_t blank = text.find(' ');
+    std::int64_t number;
+    if (starts_line && blank != text.npos && parse_integer(text.substr(0, blank), number) &&
+        blank + 1 < text.size() && text.find_first_of(" \t", blank + 1) == text.npos)
+      take(text.substr(blank + 1), number);
+  }
 }
 
 std::int64_t GroupNumbers::number_of(const std::string& word) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/document.hpp"
+#include "io/input_file.hpp"
 #include "io/tag_sets.hpp"
 
 namespace tetproof::io {
@@ -47,6 +48,8 @@ class GroupNumbers {
   void take(std::string_view word, std::int64_t number) {
     if (numbers_.try_emplace(std::string(word), number).second) taken_.insert(number);
   }
+  /// Before the start: those that comments of the file tell, as `group_comment` says.
+  void take_comments(const InputFile& file);
   /// From here on sets and names go into `document`.
   void start(Document& document) {
     document_ = &document;

@@ -55,10 +55,15 @@ struct ObjCorners {
   std::vector<std::int64_t> named;  // by the element at hand, from 0; none: -1
   Values values;
 
-  void add_element(std::size_t element, bool missing) {
+  /// When all of `all` are there, and elements begin.
+  void start(const char* name) {
+    values.name = name;
+    values.components = components;
+    used.resize(all.size());
+  }
+  void add_element(std::size_t element) {
     const auto count = static_cast<std::int64_t>(all.size());
-    const bool none = std::all_of(named.begin(), named.end(), [](std::int64_t i) { return i == none_named; });
-    if (none && !missing) return;
+    if (std::all_of(named.begin(), named.end(), [](std::int64_t i) { return i == none_named; })) return;
     if (std::any_of(named.begin(), named.end(), [&](std::int64_t i) { return i < 0 || i >= count; })) {
       ++bad;
       return;
