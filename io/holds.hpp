@@ -51,10 +51,11 @@ struct Holds {
   /// the reader gives them back. All alike: any order of blocks is held.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };
   std::function<bool(const Values&, Of)> values = [](const Values&, Of) { return false; };
-  /// Where it depends on the block or the name, whether its groups come back; not set: as `groups` and
-  /// `group_names` say.
+  /// Where it depends on the block, the name or the table, whether its groups or it come back; not set: as
+  /// `groups`, `group_names` and `tables` say.
   std::function<bool(const ElementBlock&)> groups_of;
   std::function<bool(const GroupName&)> name;
+  std::function<bool(const Table&)> table;
   std::function<bool(const Section&)> section = [](const Section&) { return false; };
 };
 

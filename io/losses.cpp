@@ -337,8 +337,8 @@ class Lister {
       add("parts of a Voronoi diagram",
           voronoi.points.size() + voronoi.edges.size() + voronoi.faces.size() + voronoi.cells.size(),
           fmt::format("{} points", voronoi.points.size()));
-    if (!holds_.tables)
-      for (const Table& table : document_.tables)
+    for (const Table& table : document_.tables)
+      if (holds_.table ? !holds_.table(table) : !holds_.tables)
         add(fmt::format("table \"{}\"", table.name), 1, fmt::format("{} rows", table.rows));
     if (!holds_.title && !document_.title.empty()) add("title", 1, document_.title);
     for (const Section& section : document_.sections)

@@ -14,8 +14,8 @@ namespace tetproof::io {
 /// element `face` with a list `vertex_indices` or `vertex_index`, lines element `edge` with `vertex1` and
 /// `vertex2`; in any order and of any type.
 ///  - Their other properties are values, integers where the type is. Several become one where they follow
-///  each
-///    other: nx ny nz "normal", red green blue [alpha] "color", s t "texture", NAME_0 NAME_1 ... NAME.
+///    each other: nx ny nz "normal", red green blue [alpha] "color", s t "texture", NAME_0 NAME_1 ... NAME.
+///    Those of faces and of edges are one where the properties have the same names.
 ///  - A face's list `texcoord` of two numbers a corner: values "texture" of elements' nodes.
 ///  - Other lists are columns of tables "vertex", "face" and "edge"; other elements are tables. The type of a
 ///    column is as the file has it, "float" or "list uchar float".

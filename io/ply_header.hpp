@@ -53,14 +53,4 @@ struct PlyHeader {
 /// Leaves the scanner at the first byte of the data.
 PlyHeader read_ply_header(Scanner& scanner, std::string_view bytes);
 
-/// Neighbouring properties that are one: from `first` on, `components` of them.
-struct PlyGroup {
-  std::string name;
-  std::size_t first = 0, components = 1;
-};
-/// Groups single numbers with these names; only those of the same kind, real or integer, go together.
-std::vector<PlyGroup> group_properties(const std::vector<std::string>& names, const std::vector<bool>& real);
-/// The names of the properties for values. `escaped`: such that they are not grouped with others.
-std::vector<std::string> property_names(const Values& values, bool escaped);
-
 }  // namespace tetproof::io

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/ply_header.hpp"
+#include "io/ply_names.hpp"
 #include "io/surface_lines.hpp"
 #include "io/tokens.hpp"
 
@@ -78,55 +79,11 @@ class PlyPlan {
   PlyPart vertex, face, edge;
   std::vector<PlyPart> others;
   std::vector<const Values*> held;
-  bool tables_held = true;
+  std::vector<const Table*> held_tables;
 
  private:
-  // Of values that may be written those that come back as they are, and the names of their properties.
-  struct Named {
-    const Values* values;
-    std::vector<std::string> names;
-  };
-  static std::vector<Named> named(const std::vector<const Values*>& wanted, std::set<std::string> taken) {
-    std::vector<Named> list;
-    for (const Values* values : wanted) {
-      Named one{values, property_names(*values, false)};
-      const bool bad = std::any_of(one.names.begin(), one.names.end(), [&](const std::string& name) {
-        return name.empty() || taken.count(name) > 0;
-      });
-      if (bad) one.names = property_names(*values, true);
-      if (std::any_of(one.names.begin(), one.names.end(),
-                      [&](const std::string& name) { return name.empty() || taken.count(name) > 0; }))
-        continue;
-      taken.insert(one.names.begin(), one.names.end());
-      list.push_back(std::move(one));
-    }
-    for (const bool last : {false, true}) {  // what is not read back is escaped first, then left out
-      std::vector<std::string> names;
-      std::vector<bool> real;
-      for (const Named& one : list) {
-        names.insert(names.end(), one.names.begin(), one.names.end());
-        real.insert(real.end(), one.names.size(), !one.values->reals.empty());
-      }
-      std::set<std::tuple<std::size_t, std::size_t, std::string>> read;
-      for (const PlyGroup& group : group_properties(names, real))
-        read.insert({group.first, group.components, group.name});
-      std::size_t first = 0;
-      std::vector<Named> kept;
-      for (Named& one : list) {
-        const std::size_t count = one.names.size();
-        const bool back = read.count({first, count, one.values->name}) > 0;
-        first += count;
-        if (!back && last) continue;
-        if (!back) one.names = property_names(*one.values, true);
-        kept.push_back(std::move(one));
-      }
-      list = std::move(kept);
-    }
-    return list;
-  }
-
   // Properties for `values`, of which the row of instance i is `first` + i.
-  static void add(PlyPart& part, const Named& one, std::size_t first) {
+  static void add(PlyPart& part, const PlyNamed& one, std::size_t first) {
     const Values& values = *one.values;
     const auto each = static_cast<std::size_t>(values.components);
     const PlyType* type = values.reals.empty() ? type_for(values.integers) : type_for(values.reals);
@@ -148,7 +105,7 @@ class PlyPlan {
     std::vector<const Values*> wanted;
     for (const Values& values : document_.node_values)
       if (of_all(values, document_.points.size()) && has_type(values)) wanted.push_back(&values);
-    for (const Named& one : named(wanted, {"x", "y", "z"})) {
+    for (const PlyNamed& one : named_values(wanted, {wanted}, {"x", "y", "z"})) {
       add(vertex, one, 0);
       held.push_back(one.values);
     }
@@ -157,33 +114,29 @@ class PlyPlan {
   // Values stand in the file's order only if the elements do.
   void element_values() {
     if (!ordered) return;
-    std::vector<const Values*> of_faces, of_lines;
+    std::vector<const Values*> wanted, of_faces, of_lines;
     const std::size_t count = faces.size() + lines.size();
     for (const Values& values : document_.element_values) {
       const std::size_t items = values.items();
       if (!values.at.empty() || !plain_numbers(values, items) || !has_type(values)) continue;
       const bool all = values.first == 0 && items == count;
-      if (all || (values.first == 0 && items == faces.size())) of_faces.push_back(&values);
-      if (all || (values.first == faces.size() && items == lines.size())) of_lines.push_back(&values);
+      const bool is_of_faces = !faces.empty() && (all || (values.first == 0 && items == faces.size()));
+      const bool is_of_lines =
+          !lines.empty() && (all || (values.first == faces.size() && items == lines.size()));
+      if (is_of_faces) of_faces.push_back(&values);
+      if (is_of_lines) of_lines.push_back(&values);
+      if (is_of_faces || is_of_lines) wanted.push_back(&values);
     }
-    if (faces.empty()) of_faces.clear();
-    if (lines.empty()) of_lines.clear();
-    const std::vector<Named> for_faces = named(of_faces, {"vertex_indices", "vertex_index", "texcoord"});
-    const std::vector<Named> for_lines = named(of_lines, {"vertex1", "vertex2"});
-    const auto given = [](const std::vector<Named>& list, const Values* values) {
-      return std::any_of(list.begin(), list.end(), [&](const Named& one) { return one.values == values; });
-    };
-    const auto wanted = [](const std::vector<const Values*>& list, const Values* values) {
+    const auto in = [](const std::vector<const Values*>& list, const Values* values) {
       return std::find(list.begin(), list.end(), values) != list.end();
     };
-    for (const Values& values : document_.element_values) {
-      const Values* v = &values;
-      const bool in_faces = wanted(of_faces, v), in_lines = wanted(of_lines, v);
-      if ((in_faces || in_lines) && in_faces == given(for_faces, v) && in_lines == given(for_lines, v))
-        held.push_back(v);
+    for (const PlyNamed& one :
+         named_values(wanted, {of_faces, of_lines},
+                      {"vertex_indices", "vertex_index", "texcoord", "vertex1", "vertex2"})) {
+      if (in(of_faces, one.values)) add(face, one, 0);
+      if (in(of_lines, one.values)) add(edge, one, one.values->first == 0 ? faces.size() : 0);
+      held.push_back(one.values);
     }
-    for (const Named& one : for_faces) add(face, one, 0);
-    for (const Named& one : for_lines) add(edge, one, one.values->first == 0 ? faces.size() : 0);
   }
 
   void texture() {
@@ -248,7 +201,6 @@ class PlyPlan {
   // Tables "vertex", "face" and "edge" are lists of these elements; all others are elements of their own.
   void lists() {
     std::set<std::string> names{"vertex", "face", "edge"}, attached;
-    int last = 0;
     for (const Table& table : document_.tables) {
       PlyPart* part = table.name == "vertex" ? &vertex
                       : table.name == "face" ? &face
@@ -273,13 +225,8 @@ class PlyPlan {
         }
         own.sources.push_back(std::move(source));
       }
-      const int rank = part == &vertex ? 0 : part == &face ? 1 : part == &edge ? 2 : 3;
-      if (held_here && rank < last) tables_held = false;
-      if (!held_here) {
-        tables_held = false;
-        continue;
-      }
-      last = rank;
+      if (!held_here) continue;
+      held_tables.push_back(&table);
       if (part)
         for (PlySource& source : own.sources) part->sources.push_back(std::move(source));
       else

@@ -6,7 +6,8 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "io/error.hpp"
 #include "io/large_pages.hpp"
@@ -14,6 +15,7 @@
 #include "io/ply.hpp"
 #include "io/ply_data.hpp"
 #include "io/ply_header.hpp"
+#include "io/ply_names.hpp"
 #include "io/tokens.hpp"
 
 namespace tetproof::io {
@@ -316,18 +318,22 @@ class Reader {
       else
         weave(std::pair{&Values::integers, &Stored::integers});
       if (group.name == "color") warn_of_colours(source_.document, values, element.name.c_str());
+      if (&all == &source_.document.element_values) {
+        const auto word = names.begin() + static_cast<std::ptrdiff_t>(group.first);
+        property_names_.emplace_back(word, word + static_cast<std::ptrdiff_t>(group.components));
+      }
       all.push_back(std::move(values));
     }
   }
 
-  // Values that both faces and lines have are one.
+  // Values that both faces and lines have are one; those whose properties have different names are two, even
+  // if these mean the same.
   void join_values() {
     auto& all = source_.document.element_values;
-    std::map<std::tuple<std::string, int, bool>, std::size_t> known;
+    std::map<std::pair<std::vector<std::string>, bool>, std::size_t> known;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto [place, is_new] =
-          known.try_emplace({all[i].name, all[i].components, all[i].reals.empty()}, kept);
+      const auto [place, is_new] = known.try_emplace({property_names_[i], all[i].reals.empty()}, kept);
       Values& before = all[place->second];
       if (!is_new && before.first + before.items() == all[i].first) {
         before.reals.insert(before.reals.end(), all[i].reals.begin(), all[i].reals.end());
@@ -346,6 +352,7 @@ class Reader {
   const PlyHeader header_;
   PlyData data_;
   SurfaceDocument source_;
+  std::vector<std::vector<std::string>> property_names_;  // of each of the values of elements
   const PlyElement *vertices_ = nullptr, *faces_ = nullptr, *edges_ = nullptr;
 };
 

@@ -70,7 +70,7 @@ class Writer {
     text += fmt::format("element face {}\nproperty list {} int vertex_indices\n", plan_.face.rows,
                         count_type_->name);
     element(plan_.face);
-    if (plan_.edge.rows > 0) {
+    if (plan_.edge.rows > 0 || !plan_.edge.sources.empty()) {
       text += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", plan_.edge.rows);
       element(plan_.edge);
     }
@@ -148,7 +148,9 @@ Holds ply_holds(const Document& document, bool binary) {
   const PlyPlan plan(document, binary);
   Holds holds;
   holds.title = title_in_lines(document.title);
-  holds.tables = plan.tables_held;
+  holds.table = [held = plan.held_tables](const Table& table) {
+    return std::find(held.begin(), held.end(), &table) != held.end();
+  };
   holds.nodes_each = PlyPlan::ply_nodes;
   holds.kind = [](const ElementBlock& block) { return corners_kept(block) == 2 ? 1 : 0; };
   holds.values = [held = plan.held](const Values& values, Of) {

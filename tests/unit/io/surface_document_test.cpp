@@ -190,6 +190,11 @@ const std::vector<Case> cases{
      "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement q x1: 0.5 1.5 2.5\ntable vertex 3\n  ring (list uchar uint) 7 8 9 "
      "[0 2 1]\n"
      "table camera 2\n  f (float32) 0.25 3 []\n  view (list uint8 int16) -4 [1 0]\n"},
+    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; another property name, the same when decoded
+     ply_start + "element vertex 3\n" + ply_xyz + "element face 1\n" + ply_list +
+         "property uchar markers\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
+         "property uchar %6Darkers\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n0 1 6\n1 2 7\n",
+     "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement markers x1 i: 5\nelement markers x1 i: 6 7 from 1\n"},
     {"PlyPoints", "a.ply",
      ply_start + "element vertex 2\n" + ply_xyz +
          "property uchar confidence\nend_header\n0 0 0 1\n1 0 0 200\n",
@@ -254,6 +259,21 @@ TEST(SurfaceDocuments, StlCutsPolygons) {
   ASSERT_FALSE(lost.empty());
   EXPECT_EQ(lost[0].item, "quadrangles of 4 nodes (type 3)");
   EXPECT_EQ(lost[0].count, 2);
+}
+
+// One table that PLY has no place for takes no other with it.
+TEST(SurfaceDocuments, PlyLosesTablesOneByOne) {
+  const test::TestFiles files;
+  Document document = read_document(
+      files.write("a.ply", ply_start + "element vertex 1\n" + ply_xyz +
+                               "element camera 1\nproperty float f\nend_header\n" + "0 0 0\n0.25\n"));
+  document.tables.push_back(
+      {.name = "notes", .rows = 1, .columns = {{.name = "t", .type = "String", .texts = {"x"}}}});
+  const std::vector<Loss> lost = losses("b.ply", document);
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].item, "table \"notes\"");
+  write_document(files.path("b.ply"), document);
+  EXPECT_EQ(told(read_document(files.path("b.ply"))), "table camera 1\n  f (float) 0.25 []\n");
 }
 
 TEST(SurfaceDocuments, ZerosAndNansSurvive) {
