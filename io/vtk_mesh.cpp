@@ -22,6 +22,33 @@ bool covers(const Values& values, std::size_t items) {
          values.size() == items * static_cast<std::size_t>(values.components);
 }
 
+// Whether each element that is written has one value.
+bool covers_cells(const Document& document, const Values& values) {
+  const std::size_t items = document.elements();
+  if (covers(values, items)) return true;
+  if (!values.nodes.empty() || values.components < 1 ||
+      values.size() != values.items() * static_cast<std::size_t>(values.components))
+    return false;
+  std::vector<int> given(items);
+  for (std::size_t k = 0; k < values.items(); ++k) {
+    const std::int64_t at =
+        values.at.empty() ? static_cast<std::int64_t>(values.first + k) : std::int64_t{values.at[k]};
+    if (at < 0 || at >= static_cast<std::int64_t>(items)) return false;
+    ++given[static_cast<std::size_t>(at)];
+  }
+  bool any = false;
+  for (const ElementBlock& block : document.blocks) {
+    if (vtk_cell(block).nodes == 0) continue;
+    const Index* node = document.connectivity.data() + block.nodes;
+    for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each) {
+      if (std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; })) continue;
+      if (given[block.first + e] != 1) return false;
+      any = true;
+    }
+  }
+  return any;
+}
+
 std::string group_array(std::size_t k) {
   return k == 0 ? "group" : fmt::format("group {}", k + 1);
 }
@@ -208,9 +235,9 @@ Holds vtk_holds_common(const Document& document) {
     if (!node_names.insert(values.name).second) twice.insert("n" + values.name);
   for (const Values& values : document.element_values)
     if (is_ours(values.name) || !cell_names.insert(values.name).second) twice.insert("e" + values.name);
-  holds.values = [twice, nodes = document.points.size(), elements = document.elements()](const Values& values,
-                                                                                         Of of) {
-    return of != Of::element_node && covers(values, of == Of::node ? nodes : elements) &&
+  holds.values = [twice, &document](const Values& values, Of of) {
+    return of != Of::element_node &&
+           (of == Of::node ? covers(values, document.points.size()) : covers_cells(document, values)) &&
            values.labels.empty() && !values.of_view && values.time == 0 && values.step == 0 &&
            values.partition == 0 && values.interpolation.empty() && !values.name.empty() &&
            !twice.contains((of == Of::node ? "n" : "e") + values.name);

@@ -45,13 +45,23 @@ Text text_of(const Values& values, const char* whose, const Names& name) {
     const std::size_t nodes = values.nodes.empty() ? 1 : static_cast<std::size_t>(values.nodes[i]);
     const std::size_t to = from + nodes * static_cast<std::size_t>(values.components);
     std::string item = name(at);
-    const bool there = !item.empty();
+    if (item.empty()) {
+      from = to;
+      continue;
+    }
     item += values.nodes.empty() ? ":" : fmt::format(" of {} nodes:", nodes);
-    for (; from < to; ++from)
-      item.append(" ").append(values.integers.empty() ? bits(values.reals[from])
-                                                      : std::to_string(values.integers[from]));
-    if (there) items.push_back(item);
+    Text::Line line{.of = item, .content = {}, .empty = true};
+    for (; from < to; ++from) {
+      const double number =
+          values.integers.empty() ? values.reals[from] : static_cast<double>(values.integers[from]);
+      line.empty = line.empty && (std::isnan(number) || number == 0);
+      line.content.append(" ").append(values.integers.empty() ? bits(values.reals[from])
+                                                              : std::to_string(values.integers[from]));
+    }
+    items.push_back(item + line.content);
+    text.lines.push_back(std::move(line));
   }
+  text.name = values.name, text.components = values.components;
   text.gone = items.empty() && values.items() > 0;
   std::stable_sort(items.begin(), items.end());
   for (const std::string& item : items) text.text += item + "\n";
@@ -59,7 +69,7 @@ Text text_of(const Values& values, const char* whose, const Names& name) {
 }
 
 std::string text_of(const Column& column) {
-  return fmt::format("{} {} x{} {} {} {} {}\n", quoted(column.name), quoted(column.type), column.components,
+  return fmt::format("{} {}\nx{} {} {} {} {}\n", quoted(column.name), quoted(column.type), column.components,
                      reals(column.reals), numbers(column.integers), joined(column.texts, quoted),
                      joined(column.lengths, [](std::int32_t n) { return std::to_string(n); }));
 }
@@ -114,9 +124,11 @@ std::vector<Text> texts_of_ghosts(const Document& document, const Names& element
 
 std::vector<Text> texts_of_names(const Document& document) {
   std::vector<Text> texts;
-  for (const GroupName& name : document.group_names)
+  for (const GroupName& name : document.group_names) {
     texts.push_back(
         {fmt::format("{}/{} {}", name.dim, name.group, quoted(name.name)), 1, "names of physical groups"});
+    texts.back().subject = name.name;
+  }
   return texts;
 }
 
@@ -164,13 +176,18 @@ std::vector<Text> texts_of_rest(const Document& document) {
     std::string text = fmt::format("{} of {}\n", quoted(table.name), table.rows);
     for (const Column& column : table.columns) text += text_of(column);
     texts.push_back({text, 1, fmt::format("table \"{}\"", table.name)});
+    texts.back().name = table.name;
+    for (const Column& column : table.columns) texts.back().lines.push_back({column.name, text_of(column)});
   }
   // Whether the file was a text or binary is its own affair where a section is text in both.
   for (const Section& section : document.sections)
     texts.push_back({fmt::format("{}{} {}", quoted(section.name), section.before_nodes ? " before" : "",
                                  quoted(section.body)),
                      1, fmt::format("section ${}", section.name)});
-  if (!document.title.empty()) texts.push_back({quoted(document.title), 1, "title"});
+  if (!document.title.empty()) {
+    texts.push_back({quoted(document.title), 1, "title"});
+    texts.back().name = texts.back().subject = document.title;
+  }
   return texts;
 }
 

@@ -16,6 +16,15 @@ struct Text {
   std::int64_t count = 1;
   std::string item;   ///< what its loss is called
   bool gone = false;  ///< it belonged to nodes or elements that are not there any more
+
+  /// Its parts, by what they belong to: lines of values by node or element, columns of a table, the title.
+  struct Line {
+    std::string of, content;
+    bool empty = false;  ///< of values: nothing but NaN or 0
+  };
+  std::string name{}, subject{};  ///< `subject`: as the example of a loss names it
+  int components = 0;             ///< of values
+  std::vector<Line> lines{};
 };
 
 /// What a node or an element is called in texts: the same for the same one in both documents; empty for one

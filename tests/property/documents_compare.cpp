@@ -13,6 +13,7 @@
 #include "documents_pairing.hpp"
 #include "entities_compare.hpp"
 #include "io/element_types.hpp"
+#include "remnants.hpp"
 
 namespace tetproof::test {
 namespace {
@@ -64,31 +65,40 @@ class Comparison {
   }
 
  private:
+  // One of the things of which `subject` is the name.
+  void add_one(const std::string& item, const std::string& subject, const std::string& more = "") {
+    add(item, 1, subject + more, false, subject);
+  }
+
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-  void add(const std::string& item, std::int64_t count, const std::string& example, bool unsure = false) {
+  // `subject`: of what it is true; empty: of the whole document.
+  void add(const std::string& item, std::int64_t count, const std::string& example, bool unsure = false,
+           const std::string& subject = "") {
     for (Difference& d : differences_)
       if (d.item == item) {
         d.count += count;
         d.unsure = d.unsure && unsure;
+        if (!subject.empty()) d.subjects.push_back(subject);
         return;
       }
-    differences_.push_back({item, count, example, unsure});
+    differences_.push_back({item, count, example, {}, unsure});
+    if (!subject.empty()) differences_.back().subjects.push_back(subject);
   }
 
   void nodes() {
     for (std::size_t i = 0; i < before_.points.size(); ++i) {
       const Index after = pairs_.node_after[i];
       if (after == none) {
-        add("nodes of no element that is written", 1, fmt::format("node {}", before_.node_tag(i)));
+        add_one("nodes of no element that is written", fmt::format("node {}", before_.node_tag(i)));
         continue;
       }
       for (int k = 0; k < 3; ++k) {
         const double a = before_.points[i][k], b = after_.points[at(after)][k];
         if (same_bits(a, b)) continue;
         const bool rounded = same_bits(static_cast<double>(static_cast<float>(a)), b);
-        add(rounded ? "coordinates rounded to 32 bits" : "changed coordinates", 1,
-            fmt::format("{} became {}", a, b));
+        add_one(rounded ? "coordinates rounded to 32 bits" : "changed coordinates",
+                fmt::format("{} becomes {}", a, b));
       }
     }
     for (std::size_t i = 0; i < after_.points.size(); ++i)
@@ -109,12 +119,12 @@ class Comparison {
       const std::string example = fmt::format("element {}", old_[e].tag);
       const Index after = pairs_.element_after[e];
       if (after == none)
-        add(names_unknown(old_[e]) && kinds.count(kind(old_[e]))
-                ? "elements that name nodes which do not exist"
-                : kind_of(old_[e]),
-            1, example);
+        add_one(names_unknown(old_[e]) && kinds.count(kind(old_[e]))
+                    ? "elements that name nodes which do not exist"
+                    : kind_of(old_[e]),
+                example);
       else if (new_[at(after)].nodes.size() < old_[e].nodes.size())
-        add(fmt::format("nodes between the corners of {}", kind_of(old_[e])), 1, example);
+        add_one(fmt::format("nodes between the corners of {}", kind_of(old_[e])), example);
     }
     for (std::size_t e = 0; e < new_.size(); ++e)
       if (pairs_.element_before[e] == none && !of_a_polygon(new_[e]))
@@ -151,7 +161,7 @@ class Comparison {
     if (!in_order) add("order of elements", 1, "");
     if (was != is && !(counts_up(was) && counts_up(is)))
       add("numbers of elements", static_cast<std::int64_t>(was.size()),
-          fmt::format("the first was {}", was[0]));
+          fmt::format("the first was {}", was[0]), false, fmt::format("the first is {}", was[0]));
     was.clear(), is.clear();
     in_order = true, last = -1;
     for (std::size_t i = 0; i < after_.points.size(); ++i) {
@@ -163,7 +173,8 @@ class Comparison {
     }
     nodes_renumbered_ = was != is && !(counts_up(was) && counts_up(is));
     if (nodes_renumbered_)
-      add("numbers of nodes", static_cast<std::int64_t>(was.size()), fmt::format("the first was {}", was[0]));
+      add("numbers of nodes", static_cast<std::int64_t>(was.size()), fmt::format("the first was {}", was[0]),
+          false, fmt::format("the first is {}", was[0]));
     if (!in_order) add("order of nodes", 1, "");
   }
 
@@ -171,18 +182,18 @@ class Comparison {
     const std::string example = fmt::format("element {}", was.tag);
     if (was.groups != is.groups) {
       if (is.groups.empty())
-        add("physical groups of elements", 1, example);
+        add_one("physical groups of elements", example);
       else if (is.groups.size() == 1 && !was.groups.empty() && is.groups[0] == was.groups[0])
-        add("physical groups beyond an element's first", 1, example);
+        add_one("physical groups beyond an element's first", example);
       else
         add("changed physical groups", 1, example);
     }
     if (was.partitions != is.partitions)
-      add(is.partitions.empty() ? "partitions of elements" : "changed partitions", 1, example);
+      add_one(is.partitions.empty() ? "partitions of elements" : "changed partitions", example);
     if (was.of_boundary != is.of_boundary)
-      add(was.of_boundary ? "elements as polygons of the boundary to mesh"
-                          : "changed to polygons of the boundary",
-          1, example);
+      add_one(was.of_boundary ? "elements as polygons of the boundary to mesh"
+                              : "changed to polygons of the boundary",
+              example);
     for (std::size_t k = 0; k < is.nodes.size() && !nodes_renumbered_; ++k)
       if (is.nodes[k] < 0 && before_.named(was.nodes[k]) != after_.named(is.nodes[k]))
         add("changed unknown nodes", 1,
@@ -191,14 +202,25 @@ class Comparison {
   }
 
   // What is a list of texts in both: what has no equal was lost, or gained.
+  // Of what was lost something less may have come back.
   void lists(std::vector<Text> was, std::vector<Text> is) {
-    for (const Text& text : was) {
+    std::erase_if(was, [&](const Text& text) {
       const auto found =
           std::find_if(is.begin(), is.end(), [&](const Text& t) { return t.text == text.text; });
-      if (found != is.end())
-        is.erase(found);
-      else
-        add(text.item, text.count, text.text, text.gone);
+      if (found == is.end()) return false;
+      is.erase(found);
+      return true;
+    });
+    for (const Text& text : was) {
+      add(text.item, text.count, text.text, text.gone, text.subject);
+      for (auto t = is.begin(); t != is.end();) {
+        if (!is_remnant(text, *t)) {
+          ++t;
+          continue;
+        }
+        t = is.erase(t);
+        if (!comes_in_pieces(text)) break;
+      }
     }
     for (const Text& text : is) add(fmt::format("gained {}", text.item), text.count, text.text);
   }

@@ -16,6 +16,8 @@ struct Difference {
       item;  ///< in the words of io/losses.cpp, or "changed ...", "gained ..." for what no list may hold
   std::int64_t count = 0;
   std::string example;
+  std::vector<std::string>
+      subjects{};       ///< of what it is true, as the example of a loss names it; none: of all
   bool unsure = false;  ///< it may as well be a consequence of another difference
 };
 

@@ -79,6 +79,33 @@ TEST(DocumentsCompare, SeesWhatWasDone) {
   }
 }
 
+// What is left of something lost is no gain, but nothing else may stand there.
+TEST(DocumentsCompare, KnowsRemnants) {
+  Document was;
+  was.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  was.title = "a long title";
+  was.node_values = {{.name = "v w", .integers = {1, 2}, .labels = {"x", "y", "z"}, .at = {2, 0}}};
+  was.tables = {{.name = "t",
+                 .rows = 1,
+                 .columns = {{.name = "r", .type = "double", .reals = {1}},
+                             {.name = "s", .type = "String", .texts = {"x"}}}}};
+  Document is = was;
+  is.title = "a long";
+  is.node_values = {{.name = "v_w #2", .integers = {2, 0, 1}}};
+  is.tables = {{.name = "t.r", .rows = 1, .columns = {{.name = "t.r", .type = "double", .reals = {1}}}}};
+  EXPECT_EQ(text_of(differences(was, is)), "values \"v w\" of nodes 2; table \"t\" 1; title 1; ");
+  is.title = "longer";
+  is.node_values[0].integers = {2, 3, 1};  // the second one had none
+  is.tables[0].columns[0].reals[0] = 2;
+  EXPECT_EQ(text_of(differences(was, is)),
+            "values \"v w\" of nodes 2; gained values \"v_w #2\" of nodes 3; "
+            "table \"t\" 1; title 1; gained table \"t.r\" 1; gained title 1; ");
+  is.node_values = {{.name = "v w", .integers = {2, 0, 1}}, {.name = "v w #2", .integers = {2, 0, 1}}};
+  is.tables.clear(), is.title.clear();
+  EXPECT_EQ(text_of(differences(was, is)),
+            "values \"v w\" of nodes 2; gained values \"v w #2\" of nodes 3; table \"t\" 1; title 1; ");
+}
+
 // Two tetrahedra and a line, written down.
 Document small() {
   Document d;

@@ -73,7 +73,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   std::vector<Difference> list;
   const auto add = [&](const std::string& item, std::int64_t count, const std::string& example,
                        bool unsure = false) {
-    if (count > 0) list.push_back({item, count, example, unsure});
+    if (count > 0) list.push_back({item, count, example, {}, unsure});
   };
   const std::vector<Element> was = elements_of(before), is = elements_of(after);
 

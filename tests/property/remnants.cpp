@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remnants.hpp"
+
+#include <algorithm>
+
+namespace tetproof::test {
+namespace {
+
+std::string kind_of(const Text& text) {
+  const std::size_t quote = text.item.find('"');
+  return quote == std::string::npos ? text.item
+                                    : text.item.substr(0, quote) + text.item.substr(text.item.rfind('"'));
+}
+
+// Letters and digits, whatever else a format may have had to replace.
+std::string plain(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) out += c;
+  return out;
+}
+
+// The name, or where another one has it "name #2".
+bool same_name(const std::string& was, const std::string& is) {
+  const std::size_t mark = is.rfind(" #");
+  return plain(was) == plain(is) || (mark != std::string::npos && plain(was) == plain(is.substr(0, mark)));
+}
+
+bool values(const Text& was, const Text& is) {
+  if (was.components != is.components || !same_name(was.name, is.name)) return false;
+  return std::all_of(is.lines.begin(), is.lines.end(), [&](const Text::Line& line) {
+    bool known = false, same = false;
+    for (const Text::Line& old : was.lines) {
+      if (old.of != line.of) continue;
+      known = true;
+      same = same || old.content == line.content;
+    }
+    return known ? same : line.empty;
+  });
+}
+
+bool columns(const Text& was, const Text& is) {
+  return std::all_of(is.lines.begin(), is.lines.end(), [&](const Text::Line& column) {
+    return std::any_of(was.lines.begin(), was.lines.end(), [&](const Text::Line& old) {
+      return old.content == column.content ||
+             (old.content.substr(old.content.find('\n')) ==
+                  column.content.substr(column.content.find('\n')) &&
+              (same_name(was.name + old.of, column.of) || same_name(old.of, column.of)));
+    });
+  });
+}
+
+}  // namespace
+
+bool is_remnant(const Text& was, const Text& is) {
+  if (kind_of(was) != kind_of(is)) return false;
+  if (is.item == "title") return plain(was.name).starts_with(plain(is.name));
+  if (is.item.starts_with("values ")) return values(was, is);
+  return is.item.starts_with("table ") && columns(was, is);
+}
+
+bool comes_in_pieces(const Text& was) {
+  return was.item.starts_with("table ");
+}
+
+}  // namespace tetproof::test
