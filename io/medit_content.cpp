@@ -44,6 +44,12 @@ void MeditContent::add_vertex(const Eigen::Vector3d& point, double reference) {
   references_.push_back(reference);
 }
 
+void MeditContent::add_vertex(const Eigen::Vector3d& point, std::int64_t reference) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  if (reference > most || reference < -most) large_references_.emplace_back(references_.size(), reference);
+  add_vertex(point, static_cast<double>(reference));
+}
+
 void MeditContent::add_section(const MeditKeyword* keyword, std::string_view name, std::string body,
                                int dimension) {
   const auto lines = keyword ? medit_lines(*keyword, body, dimension) : std::nullopt;
@@ -105,10 +111,13 @@ void MeditContent::make_elements(const Elements& list, TagSets& sets) {
 void MeditContent::make_references() {
   if (std::all_of(references_.begin(), references_.end(), [](double r) { return r == 0; })) return;
   Values values{.name = "references"};
-  if (std::all_of(references_.begin(), references_.end(), [](double r) { return r == std::floor(r); }))
+  if (std::all_of(references_.begin(), references_.end(), [](double r) { return r == std::floor(r); })) {
+    for (const auto& [vertex, large] : large_references_) references_[vertex] = 0;
     for (const double r : references_) values.integers.push_back(static_cast<std::int64_t>(r));
-  else
+    for (const auto& [vertex, large] : large_references_) values.integers[vertex] = large;
+  } else {
     values.reals = std::move(references_);
+  }
   document_.node_values.push_back(std::move(values));
 }
 

@@ -33,6 +33,7 @@ class MeditContent {
   /// To be called once, in front of the vertices.
   void start_vertices(std::size_t count);
   void add_vertex(const Eigen::Vector3d& point, double reference);
+  void add_vertex(const Eigen::Vector3d& point, std::int64_t reference);
   void add_elements(Elements list) { elements_.push_back(std::move(list)); }
   /// Any other keyword (null: one of no known form) and what follows it, as text of `dimension` coordinates.
   void add_section(const MeditKeyword* keyword, std::string_view name, std::string body, int dimension);
@@ -59,6 +60,7 @@ class MeditContent {
   Document document_;
   bool has_vertices_ = false;
   std::vector<double> references_;
+  std::vector<std::pair<std::size_t, std::int64_t>> large_references_;  // those that are no doubles
   std::vector<Elements> elements_;
   std::vector<std::pair<const MeditMark*, std::vector<std::int64_t>>> marks_;
   std::unordered_map<int, std::vector<int>> orders_;  // of nodes, by type, where the file tells one

@@ -19,17 +19,11 @@ bool is_first_of_name(const std::vector<Named>& all, const Named& one, const IsW
   return true;
 }
 
-// References are read as doubles, and dropped where all are 0.
+// They are dropped where all are 0.
 bool references_come_back(const Values& values, bool binary) {
   if (values.reals.empty())
-    return std::any_of(values.integers.begin(), values.integers.end(),
-                       [](std::int64_t r) { return r != 0; }) &&
-           std::all_of(values.integers.begin(), values.integers.end(), [](std::int64_t r) {
-             return r < 9'000'000'000'000'000 && r > -9'000'000'000'000'000;
-           });
-  return !binary &&
-         std::all_of(values.reals.begin(), values.reals.end(), [](double r) { return std::abs(r) < 9e15; }) &&
-         std::any_of(values.reals.begin(), values.reals.end(), [](double r) { return r != std::floor(r); });
+    return std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t r) { return r != 0; });
+  return !binary && are_real_medit_references(values);
 }
 
 bool mark_comes_back(const Document& document, const Values& values, bool of_nodes) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/medit_places.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/element_types.hpp"
 
 namespace tetproof::io {
@@ -67,6 +70,12 @@ bool writes_medit_section(const Section& section, bool binary) {
   const MeditKeyword* keyword = medit_keyword(section.name);
   if (keyword && keyword->element != 0) return false;
   return binary ? keyword && medit_lines(*keyword, section.body, 3) : is_plain_body(section.body);
+}
+
+bool are_real_medit_references(const Values& values) {
+  const auto is_read = [](double r) { return std::abs(r) < largest_medit_real_reference; };
+  return std::all_of(values.reals.begin(), values.reals.end(), is_read) &&
+         std::any_of(values.reals.begin(), values.reals.end(), [](double r) { return r != std::floor(r); });
 }
 
 }  // namespace tetproof::io

@@ -24,6 +24,9 @@ std::int64_t medit_reference(const Document& document, const ElementBlock& block
 
 /// The values that nodes have as references; null: none.
 const Values* medit_references(const Document& document);
+/// Whether text can say these, which are no integers, and they are read as they are.
+bool are_real_medit_references(const Values& values);
+inline constexpr double largest_medit_real_reference = 9e15;
 
 /// Whether these values only mark the nodes (or else elements) that they list, as a keyword does.
 bool is_medit_mark(const Values& values, bool of_nodes);

@@ -72,7 +72,7 @@ class Reader {
     for (std::size_t i = 0; i < count; ++i) {
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       for (int k = 0; k < dimension_; ++k) point[k] = real();
-      content_.add_vertex(point, static_cast<double>(integer()));
+      content_.add_vertex(point, integer());
     }
   }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "io/element_types.hpp"
 #include "io/medit_content.hpp"
+#include "io/medit_places.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -70,9 +72,17 @@ class Reader {
     for (std::int64_t i = 0; i < count; ++i) {
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       for (int k = 0; k < dimension_; ++k) point[k] = in_.real("a coordinate", '#');
+      const std::string_view word = in_.peek_word('#');
       const double reference = in_.real("a reference", '#');
-      if (!std::isfinite(reference) || std::abs(reference) > 9e15)
-        in_.fail_in_line(fmt::format("expected the reference of vertex {}, found {}", i + 1, reference));
+      if (!(std::abs(reference) < largest_medit_real_reference)) {
+        std::int64_t large = 0;
+        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), large);
+        if (error == std::errc() && stop == word.data() + word.size()) {
+          content_.add_vertex(point, large);
+          continue;
+        }
+        in_.fail_in_line(fmt::format("expected the reference of vertex {}, found {}", i + 1, word));
+      }
       if (reference != std::floor(reference) && !warned) {
         warned = true;
         content_.warn(

@@ -131,7 +131,7 @@ class Writer {
   void vertices() {
     const std::size_t count = document_.points.size();
     head({medit_vertices, "Vertices", 0, ""}, count, 24 + integer_size());
-    const bool reals = !binary_ && references_ && !references_->reals.empty();
+    const bool reals = !binary_ && references_ && are_real_medit_references(*references_);
     write_items(file_, count, 4 * (longest_real + 1), [&](std::size_t i, char* to) {
       const Eigen::Vector3d& p = document_.points[i];
       if (binary_) {
@@ -218,7 +218,9 @@ class Writer {
 
   void section(const Section& section) {
     if (!binary_) {
-      file_.write(fmt::format("\n{}\n{}\n", section.name, section.body));
+      // A line that begins with a letter would be a keyword.
+      const bool goes_on = !section.body.empty() && is_medit_letter(section.body[0]);
+      file_.write(fmt::format("\n{}{}{}\n", section.name, goes_on ? ' ' : '\n', section.body));
       return;
     }
     const MeditKeyword& keyword = *medit_keyword(section.name);

@@ -192,7 +192,9 @@ class Maker {
     Names names;
     for (const Table& table : document_.tables)
       for (const Column& column : table.columns) {
-        if (!column.lengths.empty() || column.components < 1) continue;
+        if (!column.lengths.empty() || column.components < 1 ||
+            column_size(column) % static_cast<std::size_t>(column.components) != 0)
+          continue;
         const bool plain = table.columns.size() == 1 && column.name == table.name;
         VtkArray array{.name = names(plain ? table.name : table.name + "." + column.name),
                        .components = column.components,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <string>
 
 #include "io/text_output.hpp"
@@ -79,6 +80,12 @@ char* put_base64(char* to, const unsigned char* from, std::size_t size) {
   return to;
 }
 
+// Whether the texts can be told from each other: each ends with a zero byte.
+bool are_writable(std::span<const std::string> texts) {
+  return std::none_of(texts.begin(), texts.end(),
+                      [](const std::string& text) { return text.find('\0') != std::string::npos; });
+}
+
 class Writer {
  public:
   Writer(AtomicFile& file, const Document& document, bool binary)
@@ -112,9 +119,9 @@ class Writer {
     file_.write(fmt::format("<{}>\n", tag));
     for (const VtkArray& array : arrays) {
       const bool counted = &arrays == &mesh_.field_data;
-      if (array.type == "String")
-        strings(array);
-      else
+      if (array.type == "String") {
+        if (are_writable(array.texts)) strings(array);
+      } else {
         with_number_type(array.type, [&](auto like) {
           using T = decltype(like);
           numbers<T>(array.name, array.type, array.components, counted, array.size(), [&](std::size_t i) {
@@ -122,6 +129,7 @@ class Writer {
                                           : static_cast<T>(array.integers[i]);
           });
         });
+      }
     }
     file_.write(fmt::format("</{}>\n", tag));
   }
@@ -199,9 +207,7 @@ Holds vtu_holds(const Document& document, bool) {
   };
   for (const Table& table : document.tables) {
     holds.tables = holds.tables && is_xml(table.name);
-    for (const Column& column : table.columns)
-      for (const std::string& text : column.texts)
-        holds.tables = holds.tables && text.find('\0') == std::string::npos;
+    for (const Column& column : table.columns) holds.tables = holds.tables && are_writable(column.texts);
   }
   return holds;
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "document_text.hpp"
@@ -207,6 +208,42 @@ TEST(MeditFiles, RoundTrips) {
       EXPECT_TRUE(std::signbit(back.points[0].y()));
       document.tag_sets[2][0] = -4'000'000'000;
     }
+}
+
+TEST(MeditFiles, ReferencesOfVertices) {
+  const auto values = [](std::vector<double> reals, std::vector<std::int64_t> integers) {
+    return Values{.name = "references", .reals = std::move(reals), .integers = std::move(integers)};
+  };
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  struct Case {
+    Values values;
+    bool in_text, in_binary;
+  };
+  const Case cases[] = {{values({}, {most, (std::int64_t{1} << 53) + 1, -most - 1}), true, true},
+                        {values({}, {0, 0, 0}), false, false},
+                        {values({0.5, -0.0, 8e15}, {}), true, false},
+                        {values({0.5, 1, 1e16}, {}), false, false},
+                        {values({0.5, nan, 1}, {}), false, false},
+                        {values({0.5, -inf, 1}, {}), false, false},
+                        {values({1, 2, 3}, {}), false, false}};
+  const test::TestFiles files;
+  for (const Case& one : cases) {
+    Document document;
+    document.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    document.node_values.push_back(one.values);
+    for (const char* name : {"a.mesh", "a.meshb"}) {
+      const std::string path = files.path(name);
+      write_document(path, document);
+      const Document back = read_document(path);
+      const bool comes_back = name == std::string("a.mesh") ? one.in_text : one.in_binary;
+      EXPECT_EQ(losses(path, document).empty(), comes_back);
+      ASSERT_EQ(back.node_values.size(), comes_back ? 1U : 0U) << test::text_of(document, false);
+      if (comes_back) {
+        EXPECT_EQ(test::text_of(back, false), test::text_of(document, false));
+      }
+    }
+  }
 }
 
 TEST(MeditFiles, TheEndingTellsTheForm) {
