@@ -26,12 +26,12 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 # Gmsh's numbers of element types: corners, and what meshio and VTK call them.
 CORNERS = {15: 1, 1: 2, 2: 3, 3: 4, 4: 4, 5: 8, 6: 6, 7: 5, 8: 2, 9: 3, 10: 4, 11: 4, 12: 8, 13: 6, 14: 5, 16: 4,
-           17: 8, 18: 6, 19: 5}
+           17: 8, 18: 6, 19: 5, 26: 2}
 MESHIO = {"vertex": 15, "line": 1, "triangle": 2, "quad": 3, "tetra": 4, "hexahedron": 5, "wedge": 6, "pyramid": 7,
-          "line3": 8, "triangle6": 9, "quad9": 10, "tetra10": 11, "hexahedron27": 12, "wedge18": 13,
+          "line3": 8, "line4": 26, "triangle6": 9, "quad9": 10, "tetra10": 11, "hexahedron27": 12, "wedge18": 13,
           "pyramid14": 14, "quad8": 16, "hexahedron20": 17, "wedge15": 18, "pyramid13": 19, "polygon": 34}
 VTK = {1: 15, 3: 1, 5: 2, 7: 34, 9: 3, 10: 4, 12: 5, 13: 6, 14: 7, 21: 8, 22: 9, 23: 16, 24: 11, 25: 17, 26: 18,
-       27: 19, 28: 10, 29: 12, 32: 13, 37: 14}
+       27: 19, 28: 10, 29: 12, 32: 13, 35: 26, 37: 14}
 
 
 def bits(x):
