@@ -10,7 +10,6 @@
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program.hpp"
-#include "io/tetgen.hpp"
 
 namespace {
 
@@ -59,10 +58,11 @@ int convert(const Choices& choices, const program::Common& common) {
     program::say(common,
                  fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
   const bool refused = choices.strict && !lost.empty();
-  const bool tetgens = target.format == "tetgen" || target.format == "poly" || target.format == "smesh";
-  const std::string left = tetgens && !refused ? io::tetgen_left_over(choices.out, document, target.format) : "";
-  if (!left.empty()) program::say(common, "warning: " + left);
-  if (!refused) write_document(choices.out, document, write);
+  if (!refused) {
+    const std::string warning = write_warning(choices.out, document, write);
+    if (!warning.empty()) program::say(common, "warning: " + warning);
+    write_document(choices.out, document, write);
+  }
   result["output"] = {
       {"file", choices.out}, {"format", target.format}, {"binary", target.binary}, {"written", !refused}};
   result["losses"] = json_of(lost);
@@ -96,11 +96,9 @@ int main(int argc, char** argv) {
        .libraries = {}},
       [&](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto choices = std::make_shared<Choices>();
-        app.add_option(
-               "IN", choices->in,
-               fmt::format(
-                   "a mesh or a surface: .msh .node .ele .poly .smesh .stl .off .obj .ply; through Gmsh: {}",
-                   fmt::join(io::gmsh_endings(), " ")))
+        app.add_option("IN", choices->in,
+                       fmt::format("a mesh or a surface: {}; through Gmsh: {}",
+                                   fmt::join(known_endings(), " "), fmt::join(io::gmsh_endings(), " ")))
             ->required();
         app.add_option("OUT", choices->out, "the file to write; its ending says the format");
         app.add_option("--to", choices->write.format, "the format, when OUT's ending does not tell: " + names)

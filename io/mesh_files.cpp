@@ -20,6 +20,7 @@
 #include "io/supplement.hpp"
 #include "io/surface_document.hpp"
 #include "io/tetgen.hpp"
+#include "io/tokens.hpp"
 #include "io/vtk.hpp"
 #include "io/vtu.hpp"
 
@@ -29,10 +30,7 @@ namespace {
 std::string ending_of(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
   if (dot == std::string::npos || path[dot] != '.') return {};
-  std::string ending = path.substr(dot);
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
+  return io::lower_case(path.substr(dot));
 }
 
 const Format* format_with(const std::string& ending) {
@@ -49,6 +47,8 @@ struct Codec {
   /// `supplement`: lines that the file keeps aside, for formats whose Holds say where.
   void (*write)(const std::string& path, const Document&, bool binary, const std::string& supplement);
   io::Holds (*holds)(const std::string& path, const Document&, bool binary);
+  /// See `write_warning`; null: never any.
+  std::string (*warning)(const std::string& path, const Document&, bool binary) = nullptr;
 };
 
 template <Document (*Read)(const InputFile&)>
@@ -123,19 +123,28 @@ const std::vector<Codec>& codecs() {
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
          io::write_tetgen(path, document, supplement);
        },
-       [](const std::string&, const Document& document, bool) { return io::tetgen_holds(document); }},
+       [](const std::string&, const Document& document, bool) { return io::tetgen_holds(document); },
+       [](const std::string& path, const Document& document, bool) {
+         return io::tetgen_left_over(path, document, "tetgen");
+       }},
       {{.name = "poly", .what = "TetGen .poly", .endings = {".poly"}, .reads = true, .binary = false},
        io::read_tetgen,
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
          io::write_poly(path, document, supplement);
        },
-       [](const std::string&, const Document& document, bool) { return io::poly_holds(document); }},
+       [](const std::string&, const Document& document, bool) { return io::poly_holds(document); },
+       [](const std::string& path, const Document& document, bool) {
+         return io::tetgen_left_over(path, document, "poly");
+       }},
       {{.name = "smesh", .what = "TetGen .smesh", .endings = {".smesh"}, .reads = true, .binary = false},
        io::read_tetgen,
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
          io::write_smesh(path, document, supplement);
        },
-       [](const std::string&, const Document& document, bool) { return io::smesh_holds(document); }},
+       [](const std::string&, const Document& document, bool) { return io::smesh_holds(document); },
+       [](const std::string& path, const Document& document, bool) {
+         return io::tetgen_left_over(path, document, "smesh");
+       }},
       {{.name = "vtu",
         .what = "VTK XML unstructured grid",
         .endings = {".vtu"},
@@ -143,7 +152,8 @@ const std::vector<Codec>& codecs() {
         .usually_binary = true},
        read_one_file<io::read_vtu>,
        write_one_file<io::write_vtu>,
-       holds_whatever_the_path<io::vtu_holds>},
+       holds_whatever_the_path<io::vtu_holds>,
+       io::vtu_warning},
       {{.name = "vtk",
         .what = "VTK legacy unstructured grid",
         .endings = {".vtk"},
@@ -151,7 +161,8 @@ const std::vector<Codec>& codecs() {
         .usually_binary = true},
        read_one_file<io::read_vtk>,
        write_one_file<io::write_vtk>,
-       holds_whatever_the_path<io::vtk_holds>},
+       holds_whatever_the_path<io::vtk_holds>,
+       io::vtk_warning},
       {{.name = "medit",
         .what = "Medit .mesh and .meshb",
         .endings = {".mesh", ".meshb"},
@@ -192,13 +203,18 @@ const std::vector<Format>& formats() {
   return all;
 }
 
-const Format& format_of(const std::string& path) {
-  if (const Format* format = format_with(ending_of(path))) return *format;
+std::vector<std::string> known_endings() {
   std::vector<std::string> known;
   for (const Format& format : formats())
     for (const std::string& ending : format.endings)
       if (std::find(known.begin(), known.end(), ending) == known.end()) known.push_back(ending);
-  throw InputError(fmt::format("{}: unknown ending, expected one of {}", path, fmt::join(known, " ")));
+  return known;
+}
+
+const Format& format_of(const std::string& path) {
+  if (const Format* format = format_with(ending_of(path))) return *format;
+  throw InputError(
+      fmt::format("{}: unknown ending, expected one of {}", path, fmt::join(known_endings(), " ")));
 }
 
 const Format& format_named(const std::string& name) {
@@ -232,11 +248,14 @@ Document read_document(const std::string& path) {
   const std::vector<std::string>& through_gmsh = io::gmsh_endings();
   if (std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
     return io::read_through_gmsh(path);
-  {  // the content may tell
-    const InputFile file(path);
-    if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
-  }
-  return read_surface_file(path);
+  const InputFile file(path);  // the content may tell
+  if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
+  if (io::surface_format(file).empty())
+    throw InputError(
+        fmt::format("{}: {}, and the content tells no format; expected one of {}; through Gmsh {}", path,
+                    ending_of(path).empty() ? "no ending" : "unknown ending", fmt::join(known_endings(), " "),
+                    fmt::join(through_gmsh, " ")));
+  return io::read_surface_document(file, io::Wanted::document).document;
 }
 
 io::Holds io::holds_of(const std::string& path, const Document& document, const WriteOptions& options) {
@@ -248,6 +267,12 @@ void write_document(const std::string& path, const Document& document, const Wri
   const auto [format, binary] = encoding_of(path, options);
   const Codec& codec = codec_named(format);
   codec.write(path, document, binary, io::supplement_of(document, codec.holds(path, document, binary)));
+}
+
+std::string write_warning(const std::string& path, const Document& document, const WriteOptions& options) {
+  const auto [format, binary] = encoding_of(path, options);
+  const Codec& codec = codec_named(format);
+  return codec.warning ? codec.warning(path, document, binary) : "";
 }
 
 }  // namespace tetproof

@@ -24,6 +24,8 @@ struct Format {
 
 /// All formats: msh41, msh40, msh22, tetgen, vtu, vtk, medit, stl, off, obj, ply.
 const std::vector<Format>& formats();
+/// Their endings, each once. All are read as well as written, and beside them `io::gmsh_endings()` are read.
+std::vector<std::string> known_endings();
 /// The format that `path`'s ending stands for when it is written. InputError naming the known endings.
 const Format& format_of(const std::string& path);
 /// The format called `name`. InputError naming the known ones.
@@ -54,5 +56,10 @@ Document read_document(const std::string& path);
 /// InputError when the place cannot be written, or when the format cannot be written in the encoding asked
 /// for.
 void write_document(const std::string& path, const Document& document, const WriteOptions& options = {});
+
+/// What is worth knowing before `write_document`, though nothing is lost: that another program misreads what
+/// will be written, or that files of an older mesh will stay beside it. Empty: nothing.
+std::string write_warning(const std::string& path, const Document& document,
+                          const WriteOptions& options = {});
 
 }  // namespace tetproof

@@ -18,21 +18,16 @@
 #include "io/polygons.hpp"
 #include "io/stl.hpp"
 #include "io/tetgen.hpp"
+#include "io/tokens.hpp"
 
 namespace tetproof {
 namespace {
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
-  return text;
-}
 
 // The ending in lower case without its dot; empty if there is none.
 std::string ending_of(const std::string& path) {
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.find_last_of('.');
-  return dot == name.npos ? "" : lower_case(name.substr(dot + 1));
+  return dot == name.npos ? "" : io::lower_case(name.substr(dot + 1));
 }
 
 // stl, off or ply, if the content leaves no doubt; OBJ has no first line to be known by.
@@ -44,12 +39,12 @@ std::string format_of_content(const InputFile& file) {
     if (bytes.size() == 84 + 50 * facets) return "stl";
   }
   Scanner scanner(file);
-  const std::string first = lower_case(std::string(scanner.word('#').substr(0, 6)));
+  const std::string first = io::lower_case(scanner.word('#').substr(0, 6));
   if (first == "off" || first == "coff" || first == "noff" || first == "cnoff" || first == "stoff")
     return "off";
   if (first == "solid") {
     scanner.next_line();
-    const std::string second = lower_case(std::string(scanner.word().substr(0, 9)));
+    const std::string second = io::lower_case(scanner.word().substr(0, 9));
     if (second == "facet" || second == "endsolid") return "stl";
   }
   return "";

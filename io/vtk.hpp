@@ -23,4 +23,8 @@ void write_vtk(AtomicFile& file, const Document& document, bool binary);
 
 Holds vtk_holds(const Document& document, bool binary);
 
+/// VTK 9.1 itself reads no number in text that is not finite, and misreads all that follows it: where `path`
+/// would have one, a sentence that says so; else empty.
+std::string vtk_warning(const std::string& path, const Document& document, bool binary);
+
 }  // namespace tetproof::io

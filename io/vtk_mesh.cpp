@@ -219,6 +219,18 @@ VtkMesh vtk_mesh(const Document& document, const std::string& entity_name) {
   return Maker(document, entity_name).mesh();
 }
 
+std::string first_place_of(bool (*wanted)(double), const Document& document, const VtkMesh& mesh) {
+  for (const Eigen::Vector3d& point : document.points)
+    if (std::any_of(point.begin(), point.end(), wanted)) return "a point";
+  const std::pair<const char*, const std::vector<VtkArray>*> kinds[] = {
+      {"point", &mesh.point_data}, {"cell", &mesh.cell_data}, {"field", &mesh.field_data}};
+  for (const auto& [kind, arrays] : kinds)
+    for (const VtkArray& array : *arrays)
+      if (std::any_of(array.reals.begin(), array.reals.end(), wanted))
+        return fmt::format("{} data \"{}\"", kind, array.name);
+  return {};
+}
+
 Holds vtk_holds_common(const Document& document) {
   Holds holds;
   holds.element_entities = has_entities(document) && all_of_blocks(document, [](const ElementBlock& block) {

@@ -56,6 +56,9 @@ struct VtkMesh {
 /// nodes are left out.
 VtkMesh vtk_mesh(const Document& document, const std::string& entity_name);
 
+/// Where the first number stands that is `wanted`: "a point", `point data "a"`, ...; empty: nowhere.
+std::string first_place_of(bool (*wanted)(double), const Document& document, const VtkMesh& mesh);
+
 /// What both formats hold.
 Holds vtk_holds_common(const Document& document);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -176,6 +177,17 @@ Holds vtk_holds(const Document& document, bool) {
   holds.title = document.title.size() <= longest_title &&
                 document.title.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos;
   return holds;
+}
+
+std::string vtk_warning(const std::string& path, const Document& document, bool binary) {
+  if (binary) return {};
+  const std::string where = first_place_of([](double value) { return !std::isfinite(value); }, document,
+                                           vtk_mesh(document, "CellEntityIds"));
+  return where.empty() ? ""
+                       : fmt::format(
+                             "{}: {} has nan or inf, which VTK itself reads in binary, but not in text, "
+                             "where it misreads all that follows",
+                             path, where);
 }
 
 }  // namespace tetproof::io

@@ -19,9 +19,13 @@ Document read_vtu(const InputFile& file);
 /// tags and physical groups cell data "entity" and "group", "group 2", ..., where there are any
 /// (of entities, besides 0 and 1); tables
 /// become field data. Elements that VTK does not have are written by their corners; those that name unknown
-/// nodes are left out. Numbers that are not finite keep VTK itself from reading the ASCII form.
+/// nodes are left out.
 void write_vtu(AtomicFile& file, const Document& document, bool binary);
 
 Holds vtu_holds(const Document& document, bool binary);
+
+/// VTK 9.1 itself reads -inf in text as inf: where `path` would have one, a sentence that says so; else
+/// empty.
+std::string vtu_warning(const std::string& path, const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -65,8 +65,7 @@ class Source {
       std::array<signed char, 256> table{};
       table.fill(-1);
       signed char next = 0;
-      for (const char* c = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"; *c; ++c)
-        table[static_cast<unsigned char>(*c)] = next++;
+      for (const char c : base64_digits) table[static_cast<unsigned char>(c)] = next++;
       return table;
     }();
     unsigned bits = 0;

@@ -11,6 +11,9 @@
 
 namespace tetproof::io {
 
+inline constexpr std::string_view base64_digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 /// What holds for all arrays of a file.
 struct VtuEncoding {
   const std::string& path;

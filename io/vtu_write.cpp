@@ -1,68 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// VTK's XML files, written by hand: their bulk is numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <span>
 #include <string>
 
 #include "io/text_output.hpp"
 #include "io/vtk_mesh.hpp"
 #include "io/vtu.hpp"
+#include "io/vtu_data.hpp"
+#include "io/xml_text.hpp"
 
 namespace tetproof::io {
 namespace {
-
-// How many bytes of UTF-8 that XML permits start at `text[i]`: 0 if none.
-std::size_t xml_character(const std::string& text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
-  const unsigned first = byte(i);
-  if (first < 0x80) return first >= ' ' || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  unsigned code = first & (0xFFU >> (size + 1));
-  for (std::size_t k = 1; k < size; ++k) {
-    if ((byte(i + k) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(i + k) & 0x3F);
-  }
-  const bool shortest = size == 2 || code >= (size == 3 ? 0x800U : 0x10000U);
-  const bool permitted =
-      code < 0xD800 || (code > 0xDFFF && code <= 0x10FFFF && code != 0xFFFE && code != 0xFFFF);
-  return shortest && permitted ? size : 0;
-}
-
-bool is_xml(const std::string& text) {
-  for (std::size_t i = 0, size; i < text.size(); i += size)
-    if ((size = xml_character(text, i)) == 0) return false;
-  return true;
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (std::size_t i = 0, size; i < text.size(); i += std::max<std::size_t>(1, size)) {
-    size = xml_character(text, i);
-    const char c = text[i];
-    if (size == 0)
-      safe += '?';
-    else if (size > 1)
-      safe += text.substr(i, size);
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else if (c < ' ')
-      safe += fmt::format("&#{};", static_cast<int>(c));
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-constexpr char base64_digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 char* put_base64(char* to, const unsigned char* from, std::size_t size) {
   for (; size >= 3; size -= 3, from += 3, to += 4) {
@@ -137,8 +90,8 @@ class Writer {
   void start(const char* tag, const std::string& name, const std::string& type, int components, bool counted,
              std::size_t count) {
     file_.write(fmt::format(
-        "<{} type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", tag, type, escaped(name),
-        components,
+        "<{} type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", tag, type,
+        xml_escaped(name), components,
         counted ? fmt::format(" NumberOfTuples=\"{}\"", count / static_cast<std::size_t>(components)) : "",
         binary_ ? "binary" : "ascii"));
   }
@@ -203,13 +156,21 @@ void write_vtu(AtomicFile& file, const Document& document, bool binary) {
 Holds vtu_holds(const Document& document, bool) {
   Holds holds = vtk_holds_common(document);
   holds.values = [common = holds.values](const Values& values, Of of) {
-    return common(values, of) && is_xml(values.name);
+    return common(values, of) && is_xml_text(values.name);
   };
   for (const Table& table : document.tables) {
-    holds.tables = holds.tables && is_xml(table.name);
+    holds.tables = holds.tables && is_xml_text(table.name);
     for (const Column& column : table.columns) holds.tables = holds.tables && are_writable(column.texts);
   }
   return holds;
+}
+
+std::string vtu_warning(const std::string& path, const Document& document, bool binary) {
+  if (binary) return {};
+  const std::string where = first_place_of([](double value) { return std::isinf(value) && value < 0; },
+                                           document, vtk_mesh(document, "entity"));
+  return where.empty() ? ""
+                       : fmt::format("{}: {} has -inf, which VTK itself reads in text as inf", path, where);
 }
 
 }  // namespace tetproof::io

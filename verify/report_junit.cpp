@@ -5,67 +5,22 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string_view>
 
+#include "io/xml_text.hpp"
 #include "verify/findings_text.hpp"
 
 namespace tetproof::verify {
 namespace {
 
-// The length of the character of UTF-8 at the start of `bytes`; 0 where there is none that XML 1.0 permits.
-std::size_t character(std::string_view bytes) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
-  const std::uint8_t lead = byte(0);
-  if (lead < 0x80) return lead >= 0x20 || lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
-  const std::size_t size = lead >= 0xC2 && lead < 0xE0   ? 2
-                           : lead >= 0xE0 && lead < 0xF0 ? 3
-                           : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                         : 0;
-  if (size == 0 || size > bytes.size()) return 0;
-  std::uint32_t code = lead & (0x7Fu >> size);
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3Fu);
-  }
-  constexpr std::uint32_t least[]{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return code < least[size] || surrogate || code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF ? 0 : size;
-}
-
-enum class Lines { keep, in_attribute };
-
-// In an attribute line ends and tabs would become blanks, unless they are references.
-std::string escaped(std::string_view text, Lines lines = Lines::in_attribute) {
-  std::string safe;
-  while (!text.empty()) {
-    const std::size_t size = character(text);
-    const char c = text[0];
-    if (size == 0)
-      safe += "\xEF\xBF\xBD";  // the replacement character
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else if (c == '\r' || (lines == Lines::in_attribute && (c == '\n' || c == '\t')))
-      safe += fmt::format("&#{};", static_cast<int>(c));
-    else
-      safe += text.substr(0, size);
-    text.remove_prefix(std::max<std::size_t>(size, 1));
-  }
-  return safe;
-}
+using io::xml_escaped;
 
 std::string as_text(std::string_view text) {
-  return escaped(text, Lines::keep);
+  return xml_escaped(text, io::XmlLines::keep);
 }
 
 std::string property(const char* name, std::string_view value) {
-  return fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, escaped(value));
+  return fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml_escaped(value));
 }
 
 // What a test case holds; empty: it passed, and there is nothing to say.
@@ -91,7 +46,7 @@ std::string outcome(const CheckResult& result, bool has_surface, const Numbering
   const std::string first = result.findings.empty() ? "follows from what another check found"
                                                     : finding_text(result.findings[0], numbering);
   return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", row.id,
-                     escaped(first.substr(0, first.find('\n'))), as_text(text));
+                     xml_escaped(first.substr(0, first.find('\n'))), as_text(text));
 }
 
 }  // namespace
@@ -110,7 +65,7 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuites name=\"tetproof-verify\" {}>\n", counts);
-  xml += fmt::format("  <testsuite name=\"{}\" {}>\n    <properties>\n", escaped(mesh), counts);
+  xml += fmt::format("  <testsuite name=\"{}\" {}>\n    <properties>\n", xml_escaped(mesh), counts);
   xml += property("verdict", sound(report) ? "sound" : "defective");
   xml += property("certificate", !report.certificate ? "unknown" : *report.certificate ? "true" : "false");
   xml += property("points", fmt::format("{}", report.mesh.points));
@@ -121,8 +76,8 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
   xml += "    </properties>\n";
   for (const CheckResult& result : report.checks) {
     const std::string inside = outcome(result, report.surface.has_value(), numbering);
-    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\"{}\n", escaped(mesh), info(result.check).id,
-                       inside.empty() ? "/>" : ">");
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\"{}\n", xml_escaped(mesh),
+                       info(result.check).id, inside.empty() ? "/>" : ">");
     if (!inside.empty()) xml += inside + "    </testcase>\n";
   }
   xml += "    <system-out>" + as_text(report_text(report, numbering)) + "</system-out>\n";

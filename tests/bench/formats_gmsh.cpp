@@ -4,28 +4,17 @@
 //   formats_gmsh read FILE TIMES
 //   formats_gmsh write FILE OUT VERSION ascii|binary TIMES
 #include <gmsh.h>
-#include <time.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 
+#include "formats_timed.hpp"
+
 namespace {
 
-double now(clockid_t clock) {
-  timespec time{};
-  ::clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-void timed(const Work& work) {
-  const double start = now(CLOCK_MONOTONIC), cpu_start = now(CLOCK_PROCESS_CPUTIME_ID);
-  work();
-  const double cpu = now(CLOCK_PROCESS_CPUTIME_ID) - cpu_start;
-  std::printf("seconds %g cpu %g\n", now(CLOCK_MONOTONIC) - start, cpu);
-}
+using tetproof::bench::timed;
 
 int run(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";

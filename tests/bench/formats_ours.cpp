@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading and writing a mesh by this project's functions, each repetition timed by itself; formats.py runs it
 // beside its peers.
-//   formats_ours make CELLS FILE          a cube of CELLS^3 cells of six tetrahedra each, with groups and
-//   names formats_ours read FILE TIMES THREADS formats_ours write FILE OUT FORMAT ascii|binary TIMES THREADS
-// Prints "seconds WALL cpu CPU" for each repetition, and after reading "arrays BYTES": what the points and
-// elements take.
+//   formats_ours make CELLS FILE
+//   formats_ours read FILE TIMES THREADS
+//   formats_ours write FILE OUT FORMAT ascii|binary TIMES THREADS
+// `make` makes a cube of CELLS^3 cells of six tetrahedra each, with groups and names. Prints "seconds WALL
+// cpu CPU" for each repetition, and after reading "arrays BYTES": what the points and elements take.
 #include <fmt/core.h>
 #include <tbb/global_control.h>
-#include <time.h>
 
 #include <array>
 #include <cstdlib>
 #include <exception>
 #include <string>
 
+#include "formats_timed.hpp"
 #include "io/mesh_files.hpp"
 
 namespace {
 
 using namespace tetproof;
+using bench::timed;
 
 // In (-0.3, 0.3), from a number; of full length in decimal, as coordinates usually are.
 double jitter(std::uint64_t number) {
@@ -89,20 +91,6 @@ Document cube(int cells) {
   }
   document.node_blocks.push_back({.dim = 3, .entity = 11, .count = document.points.size()});
   return document;
-}
-
-double now(clockid_t clock) {
-  timespec time{};
-  ::clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-void timed(const Work& work) {
-  const double start = now(CLOCK_MONOTONIC), cpu_start = now(CLOCK_PROCESS_CPUTIME_ID);
-  work();
-  const double cpu = now(CLOCK_PROCESS_CPUTIME_ID) - cpu_start;
-  fmt::print("seconds {} cpu {}\n", now(CLOCK_MONOTONIC) - start, cpu);
 }
 
 int run(int argc, char** argv) {

@@ -103,7 +103,40 @@ TEST(Convert, UsageAndInput) {
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");
   EXPECT_EQ(said({"none.msh", "b.msh"}),
             "tetproof-convert: none.msh: cannot open: No such file or directory\n");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh"}));
+  folder.write("c.xyz", "hello\n");
+  const std::string unknown = said({"c.xyz", "b.msh"});
+  EXPECT_EQ(
+      unknown.substr(0, unknown.find("; through Gmsh .")),
+      "tetproof-convert: c.xyz: unknown ending, and the content tells no format; expected one of .msh .node "
+      ".ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl "
+      ".off .obj .ply");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh", "c.xyz"}));
+}
+
+TEST(Convert, HelpNamesEveryEndingThatIsRead) {
+  const Outcome run = run_program({program("tetproof-convert"), "--help"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  for (const char* ending :
+       {".msh ", ".node ", ".edge ", ".cell ", ".vtu ", ".vtk ", ".meshb ", ".ply; ", ".step"})
+    EXPECT_NE(run.out.find(ending), std::string::npos) << ending << run;
+}
+
+// Nodes without a value get nan, which VTK's own reader of text does not take.
+TEST(Convert, WarnsOfTextThatVtkMisreads) {
+  const ScratchFolder folder;
+  const std::string in = folder.write(
+      "a.msh", std::string(two_groups) + "$NodeData\n1\n\"u\"\n1\n0\n3\n0\n1\n1\n20 7\n$EndNodeData\n");
+  const auto said = [&](const char* name, const char* form) {
+    return run_program({program("tetproof-convert"), in, name, form}, {.directory = folder / ""}).err;
+  };
+  EXPECT_NE(
+      said("b.vtk", "--ascii")
+          .find(
+              "warning: b.vtk: point data \"u\" has nan or inf, which VTK itself reads in binary, but not in "
+              "text, where it misreads all that follows\n"),
+      std::string::npos);
+  EXPECT_EQ(said("b.vtk", "--binary").find("warning"), std::string::npos);
+  EXPECT_EQ(said("b.vtu", "--ascii").find("warning"), std::string::npos);
 }
 
 TEST(Convert, Info) {

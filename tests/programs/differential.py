@@ -368,7 +368,7 @@ ONLY = {("meshio", "obj"): SURFACE, ("meshio", "tetgen"): SOLID, ("meshio", "nod
 KNOWN_WRITTEN = {
     ("meshio", "two_41_text.msh", "msh41"): "parametric nodes not implemented",
     ("meshio", "two_41_text.msh", "msh22"): "it wants a group and an entity of each element or of none",
-    ("vtk", "two_41_text.msh", "vtk"): "its reader of text takes no nan, which nodes without a value have",
+    ("vtk", "two_41_text.msh", "vtk"): "its reader of text takes no nan, which nodes without a value have (tetproof-convert warns of it)",
     ("meshio", "two41all.msh", "msh41"): "it wants a group for each block or for none",
     ("meshio", "two41o2b.msh", "medit"): "it knows no second order of Medit's",
     ("meshio", "two41o2b.msh", "tetgen"): "it takes no second order from TetGen",

@@ -8,9 +8,11 @@
 #include <limits>
 #include <string>
 
+#include "binary_bytes.hpp"
 #include "document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "refused_file.hpp"
 #include "test_files.hpp"
 
 namespace tetproof {
@@ -24,10 +26,7 @@ class Bytes {
   explicit Bytes(std::endian order) : order_(order) {}
   template <class T>
   Bytes& operator()(T value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    if (order_ != std::endian::native) std::reverse(raw, raw + sizeof value);
-    bytes_.append(raw, sizeof value);
+    test::append(bytes_, value, order_);
     return *this;
   }
   // A keyword and the place behind its `size` bytes of data, of 4 or 8 bytes.
@@ -124,19 +123,12 @@ TEST(MeditFiles, AnOrderOfItsOwn) {
   EXPECT_EQ(kept.warnings.size(), 1U);
 }
 
-struct Bad {
-  const char *name, *file;
-  std::string bytes;
-  const char* message;
-  friend void PrintTo(const Bad& test, std::ostream* out) { *out << test.name; }
-};
+using test::RefusedFile;
 
-class MeditErrors : public testing::TestWithParam<Bad> {};
+class MeditErrors : public testing::TestWithParam<RefusedFile> {};
 
 TEST_P(MeditErrors, HaveOneLineWithThePlace) {
-  const test::TestFiles files;
-  EXPECT_EQ(files.message([&] { read_document(files.write(GetParam().file, GetParam().bytes)); }),
-            GetParam().message);
+  test::expect_refusal(GetParam());
 }
 
 const std::string head = "MeshVersionFormatted 2\nDimension 3\n",
@@ -151,29 +143,33 @@ std::string changed(std::size_t at, std::int32_t value) {
 INSTANTIATE_TEST_SUITE_P(
     ByHand, MeditErrors,
     testing::Values(
-        Bad{"Empty", "a.mesh", "", "a.mesh:1: expected MeshVersionFormatted, found the end of the file"},
-        Bad{"NoVersion", "a.mesh", "Dimension 3\n",
-            "a.mesh:1: expected MeshVersionFormatted, found 'Dimension'"},
-        Bad{"Version", "a.mesh", "MeshVersionFormatted 5\n",
-            "a.mesh:1: expected a version from 1 to 4, found 5"},
-        Bad{"FourDimensions", "a.mesh", "MeshVersionFormatted 2 Dimension 4",
-            "a.mesh:1: expected the dimension 2 or 3, found 4"},
-        Bad{"NoVertices", "a.mesh", head + "End\n", "a.mesh:3: expected Vertices, found the end of the file"},
-        Bad{"TooMany", "a.mesh", head + "Vertices 1000\n0 0 0 0\n",
+        RefusedFile{"Empty", "a.mesh", "",
+                    "a.mesh:1: expected MeshVersionFormatted, found the end of the file"},
+        RefusedFile{"NoVersion", "a.mesh", "Dimension 3\n",
+                    "a.mesh:1: expected MeshVersionFormatted, found 'Dimension'"},
+        RefusedFile{"Version", "a.mesh", "MeshVersionFormatted 5\n",
+                    "a.mesh:1: expected a version from 1 to 4, found 5"},
+        RefusedFile{"FourDimensions", "a.mesh", "MeshVersionFormatted 2 Dimension 4",
+                    "a.mesh:1: expected the dimension 2 or 3, found 4"},
+        RefusedFile{"NoVertices", "a.mesh", head + "End\n",
+                    "a.mesh:3: expected Vertices, found the end of the file"},
+        RefusedFile{
+            "TooMany", "a.mesh", head + "Vertices 1000\n0 0 0 0\n",
             "a.mesh:3: expected the number of vertices, found 1000, more than the 9 bytes left can hold"},
-        Bad{"OneTooMany", "a.mesh", head + "Vertices 1\n0 0 0 0\n0 0 0 0\nEnd\n",
-            "a.mesh:5: expected a keyword, found '0'"},
-        Bad{"OneMissing", "a.mesh", head + "Vertices 1\n0 0 0 0\nTriangles 2\n1 1 1 0\nEnd\n",
-            "a.mesh:7: expected the number of a vertex, found 'End'"},
-        Bad{"BinaryVersion", "a.meshb", changed(4, 9),
-            "a.meshb: byte 8: expected a version from 1 to 4, found 9"},
-        Bad{"BinaryPlace", "a.meshb", changed(24, 5),
-            "a.meshb: byte 28: expected the place of the next keyword, from 28 to 283, found 5"},
-        Bad{"BinaryCount", "a.meshb", changed(44, 1 << 30),
+        RefusedFile{"OneTooMany", "a.mesh", head + "Vertices 1\n0 0 0 0\n0 0 0 0\nEnd\n",
+                    "a.mesh:5: expected a keyword, found '0'"},
+        RefusedFile{"OneMissing", "a.mesh", head + "Vertices 1\n0 0 0 0\nTriangles 2\n1 1 1 0\nEnd\n",
+                    "a.mesh:7: expected the number of a vertex, found 'End'"},
+        RefusedFile{"BinaryVersion", "a.meshb", changed(4, 9),
+                    "a.meshb: byte 8: expected a version from 1 to 4, found 9"},
+        RefusedFile{"BinaryPlace", "a.meshb", changed(24, 5),
+                    "a.meshb: byte 28: expected the place of the next keyword, from 28 to 283, found 5"},
+        RefusedFile{
+            "BinaryCount", "a.meshb", changed(44, 1 << 30),
             "a.meshb: byte 48: expected the number of vertices, found 1073741824; 112 bytes are left for it"},
-        Bad{"BinaryCut", "a.meshb", binary.substr(0, 20),
-            "a.meshb: byte 20: expected Vertices, found the end of the file"}),
-    [](const auto& test) { return std::string(test.param.name); });
+        RefusedFile{"BinaryCut", "a.meshb", binary.substr(0, 20),
+                    "a.meshb: byte 20: expected Vertices, found the end of the file"}),
+    test::name_of);
 
 // All that the format holds, both ways, and its numbers beyond 32 bits.
 TEST(MeditFiles, RoundTrips) {

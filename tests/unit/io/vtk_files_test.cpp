@@ -5,15 +5,16 @@
 
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
 
+#include "binary_bytes.hpp"
 #include "document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "refused_file.hpp"
 #include "test_files.hpp"
 
 namespace tetproof {
@@ -70,12 +71,7 @@ TEST(VtkFiles, LegacyPolygonalData) {
 TEST(VtkFiles, Version51InBinary) {
   const test::TestFiles files;
   std::string bytes = "# vtk DataFile Version 5.1\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n";
-  const auto add = [&](auto value) {  // big-endian
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    bytes.append(std::make_reverse_iterator(raw + sizeof value), std::make_reverse_iterator(raw));
-  };
-  static_assert(std::endian::native == std::endian::little);
+  const auto add = [&](auto value) { test::append(bytes, value, std::endian::big); };
   for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) add(x);
   bytes += "\nCELLS 2 4\nOFFSETS vtktypeint64\n";
   for (const std::int64_t i : {0, 4}) add(i);
@@ -121,12 +117,7 @@ TEST(VtuFiles, CompressedAndAppendedRaw) {
   const test::TestFiles files;
   // Two blocks of 12 values' 96 bytes, the border inside of a number; big-endian, header of 32 bits.
   std::string values;
-  const auto add = [](std::string& to, auto value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    to.append(std::make_reverse_iterator(raw + sizeof value), std::make_reverse_iterator(raw));
-  };
-  for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) add(values, x);
+  for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) test::append(values, x, std::endian::big);
   const auto packed = [](const std::string& plain) {
     std::string to(200, '\0');
     uLongf size = to.size();
@@ -137,7 +128,7 @@ TEST(VtuFiles, CompressedAndAppendedRaw) {
   const std::string first = packed(values.substr(0, 50)), second = packed(values.substr(50));
   std::string data;
   for (const std::size_t n : {std::size_t{2}, std::size_t{50}, std::size_t{46}, first.size(), second.size()})
-    add(data, static_cast<std::uint32_t>(n));
+    test::append(data, static_cast<std::uint32_t>(n), std::endian::big);
   data += first + second;
   const std::string text =
       "<VTKFile type=\"UnstructuredGrid\" byte_order=\"BigEndian\" compressor=\"vtkZLibDataCompressor\">"
@@ -154,19 +145,12 @@ TEST(VtuFiles, CompressedAndAppendedRaw) {
       std::string::npos);
 }
 
-struct Bad {
-  const char *name, *file;
-  std::string bytes;
-  const char* message;
-  friend void PrintTo(const Bad& test, std::ostream* out) { *out << test.name; }
-};
+using test::RefusedFile;
 
-class VtkErrors : public testing::TestWithParam<Bad> {};
+class VtkErrors : public testing::TestWithParam<RefusedFile> {};
 
 TEST_P(VtkErrors, HaveOneLineWithThePlace) {
-  const test::TestFiles files;
-  EXPECT_EQ(files.message([&] { read_document(files.write(GetParam().file, GetParam().bytes)); }),
-            GetParam().message);
+  test::expect_refusal(GetParam());
 }
 
 const std::string head = "# vtk DataFile Version 2.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\n",
@@ -175,48 +159,53 @@ const std::string head = "# vtk DataFile Version 2.0\n\nASCII\nDATASET UNSTRUCTU
 INSTANTIATE_TEST_SUITE_P(
     ByHand, VtkErrors,
     testing::Values(
-        Bad{"NoHead", "a.vtk", "vtk", "a.vtk:1: expected # vtk DataFile Version, found 'vtk'"},
-        Bad{"Structured", "a.vtk", "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\n",
-            "a.vtk:4: expected UNSTRUCTURED_GRID or POLYDATA, found 'STRUCTURED_POINTS'"},
-        Bad{"TooManyPoints", "a.vtk", head + "POINTS 99 float\n1 2 3\n",
-            "a.vtk:5: expected the number of points, found 99, more than the 13 bytes left can hold"},
-        Bad{"NoPoints", "a.vtk", head + "CELLS 1 2\n1 0\nCELL_TYPES 1\n1\n",
-            "a.vtk:9: expected POINTS, found the end of the file"},
-        Bad{"CellLongerThanItsList", "a.vtk", points + "CELLS 1 2\n3 0\n",
-            "a.vtk:8: cell 0: expected its number of points, up to 1, found 3"},
-        Bad{"NoTypes", "a.vtk", points + "CELLS 1 2\n1 0\n",
-            "a.vtk:9: expected CELL_TYPES, found the end of the file"},
-        Bad{"TypeAndSize", "a.vtk", points + "CELLS 1 2\n1 0\nCELL_TYPES 1\n10\n",
-            "a.vtk: cell 0: a cell of VTK's type 10 does not have 1 points"},
-        Bad{"UnknownWord", "a.vtk", points + "POINT_DATA 1\nSCALRS a int\n",
-            "a.vtk:8: expected an attribute of points or cells, found 'SCALRS'"},
-        Bad{"TooManyValues", "a.vtk", points + "POINT_DATA 99999\nVECTORS a float\n1\n",
-            "a.vtk:8: expected 99999 times 3 values, more than the 3 bytes left can hold"},
-        Bad{"NoXml", "a.vtu", "<VTKFile", "a.vtu:1: expected the end of a tag, found the end of the file"},
-        Bad{"OtherType", "a.vtu", "<VTKFile type=\"PolyData\"></VTKFile>",
-            "a.vtu:1: expected VTK's type UnstructuredGrid, found 'PolyData'"},
-        Bad{"TagsCross", "a.vtu", "<VTKFile type=\"UnstructuredGrid\">\n<a></b>\n</VTKFile>",
-            "a.vtu:2: expected XML: Start-end tags mismatch"},
-        Bad{"NotZlib", "a.vtu", vtu("", "compressor=\"vtkLZ4DataCompressor\""),
+        RefusedFile{"NoHead", "a.vtk", "vtk", "a.vtk:1: expected # vtk DataFile Version, found 'vtk'"},
+        RefusedFile{"Structured", "a.vtk", "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\n",
+                    "a.vtk:4: expected UNSTRUCTURED_GRID or POLYDATA, found 'STRUCTURED_POINTS'"},
+        RefusedFile{"TooManyPoints", "a.vtk", head + "POINTS 99 float\n1 2 3\n",
+                    "a.vtk:5: expected the number of points, found 99, more than the 13 bytes left can hold"},
+        RefusedFile{"NoPoints", "a.vtk", head + "CELLS 1 2\n1 0\nCELL_TYPES 1\n1\n",
+                    "a.vtk:9: expected POINTS, found the end of the file"},
+        RefusedFile{"CellLongerThanItsList", "a.vtk", points + "CELLS 1 2\n3 0\n",
+                    "a.vtk:8: cell 0: expected its number of points, up to 1, found 3"},
+        RefusedFile{"NoTypes", "a.vtk", points + "CELLS 1 2\n1 0\n",
+                    "a.vtk:9: expected CELL_TYPES, found the end of the file"},
+        RefusedFile{"TypeAndSize", "a.vtk", points + "CELLS 1 2\n1 0\nCELL_TYPES 1\n10\n",
+                    "a.vtk: cell 0: a cell of VTK's type 10 does not have 1 points"},
+        RefusedFile{"UnknownWord", "a.vtk", points + "POINT_DATA 1\nSCALRS a int\n",
+                    "a.vtk:8: expected an attribute of points or cells, found 'SCALRS'"},
+        RefusedFile{"TooManyValues", "a.vtk", points + "POINT_DATA 99999\nVECTORS a float\n1\n",
+                    "a.vtk:8: expected 99999 times 3 values, more than the 3 bytes left can hold"},
+        RefusedFile{"NoXml", "a.vtu", "<VTKFile",
+                    "a.vtu:1: expected the end of a tag, found the end of the file"},
+        RefusedFile{"OtherType", "a.vtu", "<VTKFile type=\"PolyData\"></VTKFile>",
+                    "a.vtu:1: expected VTK's type UnstructuredGrid, found 'PolyData'"},
+        RefusedFile{"TagsCross", "a.vtu", "<VTKFile type=\"UnstructuredGrid\">\n<a></b>\n</VTKFile>",
+                    "a.vtu:2: expected XML: Start-end tags mismatch"},
+        RefusedFile{
+            "NotZlib", "a.vtu", vtu("", "compressor=\"vtkLZ4DataCompressor\""),
             "a.vtu:3: data compressed by vtkLZ4DataCompressor, expected vtkZLibDataCompressor or none"},
-        Bad{"NoPiece", "a.vtu", vtu(""), "a.vtu:4: expected <Piece>"},
-        Bad{"ValuesMissing", "a.vtu",
+        RefusedFile{"NoPiece", "a.vtu", vtu(""), "a.vtu:4: expected <Piece>"},
+        RefusedFile{
+            "ValuesMissing", "a.vtu",
             vtu(piece("<PointData>\n<DataArray type=\"Int8\" Name=\"a\">1 2</DataArray></PointData>")),
             "a.vtu:5: array \"a\": expected 4 values, found 2"},
-        Bad{"NotANumber", "a.vtu", vtu(piece("", "0 1 2 x")), "a.vtu:4: expected an integer, found 'x'"},
-        Bad{"OffsetBehindTheEnd", "a.vtu", vtu(piece("", "0 1 2")),
-            "a.vtu: cell 0: expected an offset from 0 to 3, found 4"},
-        Bad{"PointsOutOfNumber", "a.vtu", vtu("<Piece NumberOfPoints=\"99999999999\" NumberOfCells=\"0\"/>"),
+        RefusedFile{"NotANumber", "a.vtu", vtu(piece("", "0 1 2 x")),
+                    "a.vtu:4: expected an integer, found 'x'"},
+        RefusedFile{"OffsetBehindTheEnd", "a.vtu", vtu(piece("", "0 1 2")),
+                    "a.vtu: cell 0: expected an offset from 0 to 3, found 4"},
+        RefusedFile{
+            "PointsOutOfNumber", "a.vtu", vtu("<Piece NumberOfPoints=\"99999999999\" NumberOfCells=\"0\"/>"),
             "a.vtu:4: NumberOfPoints of 99999999999 are more than the 2147483647 that can be numbered here"},
-        Bad{"Base64", "a.vtu",
-            vtu("<FieldData><DataArray type=\"Int8\" Name=\"a\" "
-                "format=\"binary\">AQ*A</DataArray></FieldData><Piece/>"),
-            "a.vtu: byte 155: expected base64, found '*'"},
-        Bad{"SizeBeyondTheData", "a.vtu",
-            vtu("<FieldData><DataArray type=\"Int8\" Name=\"a\" "
-                "format=\"binary\">/////w==</DataArray></FieldData><Piece/>"),
-            "a.vtu: byte 161: expected 4294967295 bytes of an array, found 3 at most"}),
-    [](const auto& test) { return std::string(test.param.name); });
+        RefusedFile{"Base64", "a.vtu",
+                    vtu("<FieldData><DataArray type=\"Int8\" Name=\"a\" "
+                        "format=\"binary\">AQ*A</DataArray></FieldData><Piece/>"),
+                    "a.vtu: byte 155: expected base64, found '*'"},
+        RefusedFile{"SizeBeyondTheData", "a.vtu",
+                    vtu("<FieldData><DataArray type=\"Int8\" Name=\"a\" "
+                        "format=\"binary\">/////w==</DataArray></FieldData><Piece/>"),
+                    "a.vtu: byte 161: expected 4294967295 bytes of an array, found 3 at most"}),
+    test::name_of);
 
 TEST(VtuFiles, DeepNestingIsRefused) {
   const test::TestFiles files;
@@ -263,6 +252,28 @@ TEST(VtkFiles, RoundTrips) {
       EXPECT_EQ(back.tables[1].columns[0].type, "UInt8");
       EXPECT_TRUE(std::signbit(back.points[0].y()));
     }
+}
+
+TEST(VtkFiles, SaysWhatVtkItselfMisreads) {
+  Document document;
+  document.points = {{0, 0, 0}, {1, 0, 0}};
+  document.node_values.push_back({.name = "u", .reals = {1}, .at = {1}});  // the other node gets nan
+  const std::string misread =
+      "a.vtk: point data \"u\" has nan or inf, which VTK itself reads in binary, but not in text, where it "
+      "misreads all that follows";
+  const std::string vtk_text = write_warning("a.vtk", document, {.binary = false});
+  EXPECT_EQ(vtk_text, misread);
+  EXPECT_EQ(write_warning("a.vtk", document), "");
+  EXPECT_EQ(write_warning("a.vtu", document, {.binary = false}), "");
+  document.node_values[0] = {.name = "u", .reals = {1, -std::numeric_limits<double>::infinity()}};
+  EXPECT_EQ(write_warning("a.vtk", document, {.binary = false}), misread);
+  EXPECT_EQ(write_warning("a.vtu", document, {.binary = false}),
+            "a.vtu: point data \"u\" has -inf, which VTK itself reads in text as inf");
+  EXPECT_EQ(write_warning("a.vtu", document), "");
+  document.node_values.clear();
+  EXPECT_EQ(write_warning("a.vtk", document, {.binary = false}), "");
+  document.points[0].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(write_warning("a.vtk", document, {.binary = false}).substr(0, 27), "a.vtk: a point has nan or i");
 }
 
 TEST(VtkFiles, SamplesOfOtherPrograms) {
