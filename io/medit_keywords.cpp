@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of Medit's keywords, and sections of a fixed form.
 #include "io/medit_keywords.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Places in Medit's files for blocks, values and sections.
 #include "io/medit_places.hpp"
 
 #include <algorithm>

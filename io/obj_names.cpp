@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of OBJ's groups from their words, and words from their numbers.
 #include "io/obj_names.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The first pass over an OBJ file.
 #include "io/obj_points.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The words of OBJ.
 #include "io/obj_statements.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// OBJ as text: points, what corners have, and elements below what holds for them.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of VTK's cells and Gmsh's elements.
 #include "io/vtk_cells.hpp"
 
 #include "io/element_types.hpp"

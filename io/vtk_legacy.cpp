@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Arrays and cells of VTK's legacy files, number by number.
 #include "io/vtk_legacy.hpp"
 
 #include <fmt/format.h>

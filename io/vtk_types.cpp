@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Types of VTK's numbers: their sizes, and what fits them.
 #include "io/vtk_types.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of VTK's types of numbers, and codes in names.
 #include "io/vtk_words.hpp"
 
 #include <fmt/format.h>

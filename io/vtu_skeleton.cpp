@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts a .vtu file into tags and what stands between them.
 #include "io/vtu_skeleton.hpp"
 
 #include <fmt/format.h>

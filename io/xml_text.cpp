@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Characters and references of XML.
 #include "io/xml_text.hpp"
 
 #include <fmt/core.h>
