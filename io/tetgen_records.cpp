@@ -134,13 +134,13 @@ std::int64_t Records::unusual_integer(const char* expected) {
   std::uint64_t value = 0;
   const auto [c, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
   if (error != std::errc() || c != digits.data() + digits.size() || digits.empty() ||
-      value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+      value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) + (negative ? 1 : 0))
     fail(expected, text);
   if (base != 10 && !warned_of_base_) {
     warned_of_base_ = true;
     warn(fmt::format("{} is {} to TetGen, which reads integers as C does (the first such)", text, value));
   }
-  return negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
+  return static_cast<std::int64_t>(negative ? 0 - value : value);
 }
 
 void Records::skip_line() {

@@ -147,6 +147,13 @@ const std::vector<Case> cases{
      n1 + "vn 0.5 0.5 0.5\nvn 1 1 1\nve 0 1 0 0 0\nve 1 -1 0 0 -1.5\nvf 0 1: 0 1\nvf 2 3: 1 -1\nvc 0 1\nvc 0 "
           "-1\n",
      {"a.node: there is no a.ele beside it: nodes only"}},
+    {"TheLeastAndTheLargestMarker",
+     "a.face",
+     {{"a.node", nodes1},
+      {"a.ele", ele1},
+      {"a.face", "2 1\n1 1 2 3 -9223372036854775808\n2 1 2 4 9223372036854775807\n"}},
+     n1 + "b 4 4 1\ne 1: 1 2 3 4\nb 2 3 2\ne 2: 1 2 3\ne 3: 1 2 4\n"
+          "v element markers 1 from 1: -9223372036854775808 9223372036854775807\n"},
     {"AMeshThatIsCalledV", "a.v.node", {{"a.v.node", nodes1}, {"a.v.ele", ele1}}, n1 + tet1},
 };
 
@@ -230,6 +237,8 @@ const std::vector<ErrorCase> errors{
      "a.v.cell",
      {{"a.v.node", "0\n"}, {"a.v.edge", "0\n"}, {"a.v.face", "0\n"}, {"a.v.cell", "0\n"}},
      "a.node: cannot open: No such file or directory"},
+    {"MarkerBelowTheLeast", "a.face", with_tet({{"a.face", "1 1\n1 1 2 3 -9223372036854775809\n"}}),
+     "a.face:2: expected a boundary marker, found '-9223372036854775809'"},
     {"CellOfNothing", "a.cell", {{"a.cell", "0\n"}}, "a.cell: expected .v.cell, found .cell"},
     {"NamedButNotThere", "a.edge", with_tet({}), "a.edge: cannot open: No such file or directory"},
 };
