@@ -47,6 +47,9 @@ struct Holds {
   /// How many nodes of each element of a block are written: all, or only its corners; 0: the elements are
   /// not.
   std::function<int(const ElementBlock&)> nodes_each = [](const ElementBlock&) { return 0; };
+  /// Polygons that a format without them cuts into a fan of triangles, in their place: the corner where it
+  /// starts; -1: the element is left out. Asked of elements of which `nodes_each` is 0; not set: so are all.
+  std::function<std::ptrdiff_t(const ElementBlock&, const Index* nodes)> cut_at;
   /// Formats that list elements by kind: a number for the kind of a block, ascending in the order in which
   /// the reader gives them back. All alike: any order of blocks is held.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };

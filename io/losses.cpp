@@ -20,6 +20,7 @@ using io::ElementType;
 using io::Holds;
 using io::Of;
 using io::Shape;
+using Cut = io::WrittenPart::Cut;
 using Written = io::WrittenPart::Block;
 
 const char* name_of(int type) {
@@ -64,6 +65,7 @@ class Lister {
     order();
     nodes();
     node_numbers();
+    unknown_numbers();
     element_numbers();
     coordinates();
     entities_of_elements();
@@ -95,6 +97,14 @@ class Lister {
     return fmt::format("element {}", document_.element_tag(block.first + e));
   }
 
+  // The blocks of what comes back, and then what comes back in triangles, one by one.
+  template <class Each>
+  void each_written(const Each& each) const {
+    for (const Written& written : written_.blocks())
+      each(*written.block, written.count, element(*written.block));
+    for (const Cut& cut : written_.cut()) each(*cut.block, 1, element(*cut.block, cut.element));
+  }
+
   // Elements that are not written, or without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
@@ -102,7 +112,7 @@ class Lister {
           fmt::format("{} of {} nodes (type {})", name_of(block.type), block.nodes_each, block.type);
       const int each = holds_.nodes_each(block);
       if (each == 0) {
-        add(what, block.count, element(block));
+        not_written(block, what);
       } else if (!holds_.unknown_nodes && !document_.unknown.empty()) {
         unknown_nodes(block);
       }
@@ -112,6 +122,18 @@ class Lister {
         add(fmt::format("nodes between the corners of {} of {} nodes (type {})", name_of(written.block->type),
                         written.block->nodes_each, written.block->type),
             written.count, element(*written.block));
+  }
+
+  // Left out, or cut into triangles.
+  void not_written(const ElementBlock& block, const std::string& what) {
+    std::vector<bool> cut(block.count);
+    for (const Cut& one : written_.cut())
+      if (one.block == &block) {
+        cut[one.element] = true;
+        add(what + " cut into triangles", 1, element(block, one.element));
+      }
+    const auto first = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), false) - cut.begin());
+    add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first));
   }
 
   void unknown_nodes(const ElementBlock& block) {
@@ -150,6 +172,7 @@ class Lister {
     bool in_order = true;
     for (std::size_t i = 0; i < written_.nodes(); ++i) {
       places.push_back(document_.points[written_.node(i)]);
+      if (holds_.single) places.back() = places.back().cast<float>().cast<double>().eval();
       in_order = in_order && (i == 0 || written_.node(i - 1) < written_.node(i));
     }
     if (!in_order)
@@ -171,21 +194,37 @@ class Lister {
     if (!plain) add("numbers of nodes", written_.nodes(), fmt::format("the first is {}", first));
   }
 
+  // Numbers that no node has, where they are written as others.
+  void unknown_numbers() {
+    if (!holds_.unknown_nodes || !holds_.unknown_number) return;
+    for (std::size_t k = 0; k < document_.unknown.size(); ++k)
+      if (const std::int64_t number = holds_.unknown_number(k); number != document_.unknown[k])
+        add("numbers of nodes that do not exist", 1,
+            fmt::format("{} becomes {}", document_.unknown[k], number));
+  }
+
   void element_numbers() {
     if (holds_.element_tags || written_.blocks().empty()) return;
-    std::int64_t first = 0, next = 0;
-    bool plain = true, begun = false;
+    std::int64_t first = 0, next = 0, position = 0;
+    bool plain = true, begun = false;  // plain: they count up from 0 or 1 and so do those in the file
+    bool same = true;                  // they are those in the file, which start from 1
     std::size_t count = 0;
+    auto cut = written_.cut().begin();
     for (const Written& written : written_.blocks()) {
       count += written.count;
-      for (std::size_t e = 0; e < written.block->count && (plain || !begun); ++e) {
+      for (; cut != written_.cut().end() && cut->block < written.block; ++cut) {
+        position += cut->corners - 2;
+        plain = plain && !begun;
+      }
+      for (std::size_t e = 0; e < written.block->count && (plain || same || !begun); ++e) {
         if (!written_.comes_back(written, e)) continue;
         const std::int64_t tag = document_.element_tag(written.block->first + e);
-        if (!begun) first = next = tag, plain = is_plain(tag), begun = true;
+        if (!begun) first = next = tag, plain = is_plain(tag) && position == 0, begun = true;
         plain = plain && tag == next++;
+        same = same && tag == ++position;
       }
     }
-    if (!plain) add("numbers of elements", count, fmt::format("the first is {}", first));
+    if (!plain && !same) add("numbers of elements", count, fmt::format("the first is {}", first));
   }
 
   void coordinates() {
@@ -205,10 +244,10 @@ class Lister {
       add("numbers of entities", static_cast<std::size_t>(holds_.changed_entities), holds_.changed_entity);
       return;
     }
-    for (const Written& written : written_.blocks())
-      if (written.block->entity != 0 && written.block->entity != 1)
-        add("entities of elements", written.count,
-            fmt::format("{} in entity {}", element(*written.block), written.block->entity));
+    each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
+      if (block.entity != 0 && block.entity != 1)
+        add("entities of elements", count, fmt::format("{} in entity {}", name, block.entity));
+    });
   }
 
   void entities_of_nodes() {
@@ -235,19 +274,18 @@ class Lister {
   }
 
   void groups() {
-    for (const Written& written : written_.blocks()) {
-      const ElementBlock& block = *written.block;
+    each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
       const auto& tags = document_.tag_sets[static_cast<std::size_t>(block.groups)];
-      const std::string first = fmt::format("{} in groups {}", element(block), fmt::join(tags, " "));
+      const std::string first = fmt::format("{} in groups {}", name, fmt::join(tags, " "));
       if (holds_.groups_of) {
-        if (!holds_.groups_of(block)) add("physical groups of elements", written.count, first);
-        continue;
+        if (!holds_.groups_of(block)) add("physical groups of elements", count, first);
+        return;
       }
       if (holds_.groups == Holds::Groups::none && !tags.empty())
-        add("physical groups of elements", written.count, first);
+        add("physical groups of elements", count, first);
       if (holds_.groups == Holds::Groups::first && tags.size() > 1)
-        add("physical groups beyond an element's first", written.count, first);
-    }
+        add("physical groups beyond an element's first", count, first);
+    });
     for (const GroupName& name : document_.group_names)
       if (holds_.name ? !holds_.name(name) : !holds_.group_names)
         add("names of physical groups", 1, name.name);
@@ -255,14 +293,13 @@ class Lister {
 
   void partitions() {
     std::int64_t largest = 0;
-    for (const Written& written : written_.blocks()) {
-      if (written.block->partitions == 0) continue;
-      const auto& tags = document_.tag_sets[static_cast<std::size_t>(written.block->partitions)];
+    each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
+      if (block.partitions == 0) return;
+      const auto& tags = document_.tag_sets[static_cast<std::size_t>(block.partitions)];
       if (!holds_.partitions)
-        add("partitions of elements", written.count,
-            fmt::format("{} in partition {}", element(*written.block), fmt::join(tags, " ")));
+        add("partitions of elements", count, fmt::format("{} in partition {}", name, fmt::join(tags, " ")));
       for (const std::int64_t tag : tags) largest = std::max(largest, tag < 0 ? -tag : tag);
-    }
+    });
     if (!holds_.partition_count && document_.partitions != 0 &&
         document_.partitions != (holds_.partitions ? largest : 0))
       add("number of partitions", 1, fmt::format("{}", document_.partitions));
@@ -304,9 +341,9 @@ class Lister {
   // What TetGen's .poly says of the body to mesh.
   void boundary() {
     if (!holds_.boundary)
-      for (const Written& written : written_.blocks())
-        if (written.block->of_boundary)
-          add("elements as polygons of the boundary to mesh", written.count, element(*written.block));
+      each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
+        if (block.of_boundary) add("elements as polygons of the boundary to mesh", count, name);
+      });
     if (holds_.makes_boundary)
       for (const Written& written : written_.blocks())
         if (!written.block->of_boundary && written.block->dim == 2)

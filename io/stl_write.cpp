@@ -42,16 +42,18 @@ Eigen::Vector3f normal(const std::vector<Eigen::Vector3d>& points, const std::ar
   return (n / length).cast<float>() + Eigen::Vector3f::Zero();  // without -0
 }
 
-// A polygon's triangles, or none if it is not planar and convex.
+// Where the fan of triangles starts; -1 for a polygon that is not planar and convex.
+std::ptrdiff_t start_of_fan(const std::vector<Eigen::Vector3d>& points, const Index* nodes, std::size_t n) {
+  return n == 3 ? 0 : fan_of({nodes, n}, points).start;
+}
+
+// A polygon's triangles, or none.
 void add_fan(std::vector<Facet>& facets, const std::vector<Eigen::Vector3d>& points,
              const KeptElement& face) {
   const auto n = static_cast<std::size_t>(face.corners);
-  std::size_t start = 0;
-  if (n > 3) {
-    const Fan fan = fan_of({face.nodes, n}, points);
-    if (fan.start < 0) return;
-    start = static_cast<std::size_t>(fan.start);
-  }
+  const std::ptrdiff_t begin = start_of_fan(points, face.nodes, n);
+  if (begin < 0) return;
+  const auto start = static_cast<std::size_t>(begin);
   for (std::size_t i = 1; i + 1 < n; ++i)
     facets.push_back(
         {{face.nodes[start], face.nodes[(start + i) % n], face.nodes[(start + i + 1) % n]}, face.element});
@@ -176,6 +178,11 @@ Holds stl_holds(const Document& document, bool binary) {
   holds.nodes_by_place = true;
   holds.single = binary;
   holds.nodes_each = [](const ElementBlock& block) { return triangles_only(block) ? 3 : 0; };
+  holds.cut_at = [&document](const ElementBlock& block, const Index* nodes) -> std::ptrdiff_t {
+    const int corners = corners_kept(block);
+    if (corners < 4 || !nodes_exist(nodes, block.nodes_each)) return -1;
+    return start_of_fan(document.points, nodes, static_cast<std::size_t>(corners));
+  };
   holds.title = document.title.empty() ||
                 (binary && document.title == stl_title(document.title) && document.title.size() <= 80);
   const bool all = keeps_all_elements(document, holds.nodes_each);

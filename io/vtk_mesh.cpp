@@ -244,18 +244,19 @@ Holds vtk_holds_common(const Document& document) {
   };
   holds.nodes_each = [](const ElementBlock& block) { return vtk_cell(block).nodes; };
 
-  std::set<std::string> twice, cell_names, node_names, field_names;
+  std::set<const Values*> own_name;  // those that no other one has taken, nor we
+  Names node_names, cell_names;
   for (const Values& values : document.node_values)
-    if (!node_names.insert(values.name).second) twice.insert("n" + values.name);
+    if (node_names(values.name) == values.name) own_name.insert(&values);
   for (const Values& values : document.element_values)
-    if (is_ours(values.name) || !cell_names.insert(values.name).second) twice.insert("e" + values.name);
-  holds.values = [twice, &document](const Values& values, Of of) {
+    if (cell_names(values.name, true) == values.name) own_name.insert(&values);
+  holds.values = [own_name, &document](const Values& values, Of of) {
     return of != Of::element_node &&
            (of == Of::node ? covers(values, document.points.size()) : covers_cells(document, values)) &&
            values.labels.empty() && !values.of_view && values.time == 0 && values.step == 0 &&
-           values.partition == 0 && values.interpolation.empty() && !values.name.empty() &&
-           !twice.contains((of == Of::node ? "n" : "e") + values.name);
+           values.partition == 0 && values.interpolation.empty() && own_name.contains(&values);
   };
+  std::set<std::string> field_names;
   holds.tables = std::all_of(document.tables.begin(), document.tables.end(), [&](const Table& table) {
     if (table.columns.size() != 1 || table.columns[0].name != table.name || table.name.empty()) return false;
     const Column& column = table.columns[0];

@@ -3,12 +3,17 @@
 
 #include <algorithm>
 
+#include "io/element_types.hpp"
+
 namespace tetproof::io {
 
 WrittenPart::WrittenPart(const Document& document, const Holds& holds) : document_(document) {
   for (const ElementBlock& block : document.blocks) {
     const int each = holds.nodes_each(block);
-    if (each == 0) continue;
+    if (each == 0) {
+      if (holds.cut_at) find_cut(block, holds);
+      continue;
+    }
     std::size_t count = block.count;
     if (!holds.unknown_nodes && !document.unknown.empty())
       for (std::size_t e = 0; e < block.count; ++e) count -= names_unknown(block, e);
@@ -34,6 +39,15 @@ WrittenPart::WrittenPart(const Document& document, const Holds& holds) : documen
     if (kept[i]) nodes_.push_back(static_cast<Index>(i));
 }
 
+void WrittenPart::find_cut(const ElementBlock& block, const Holds& holds) {
+  const ElementType* type = element_type(block.type);
+  const int corners = type ? type->corners : block.nodes_each;
+  for (std::size_t e = 0; e < block.count; ++e) {
+    const std::ptrdiff_t start = holds.cut_at(block, nodes_of(block, e));
+    if (start >= 0) cut_.push_back({&block, e, static_cast<int>(start), corners});
+  }
+}
+
 bool WrittenPart::names_unknown(const ElementBlock& block, std::size_t e) const {
   const Index* node = nodes_of(block, e);
   return std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
@@ -42,14 +56,24 @@ bool WrittenPart::names_unknown(const ElementBlock& block, std::size_t e) const 
 std::vector<Index> WrittenPart::in_order_of_elements() const {
   std::vector<bool> seen(document_.points.size());
   std::vector<Index> nodes;
-  for (const Block& written : blocks_)
+  const auto name = [&](Index node) {
+    if (node < 0 || seen[static_cast<std::size_t>(node)]) return;
+    seen[static_cast<std::size_t>(node)] = true;
+    nodes.push_back(node);
+  };
+  auto cut = cut_.begin();
+  const auto cut_before = [&](const ElementBlock* block) {
+    for (; cut != cut_.end() && (!block || cut->block < block); ++cut)
+      for (int k = 0; k < cut->corners; ++k)
+        name(nodes_of(*cut->block, cut->element)[(cut->start + k) % cut->corners]);
+  };
+  for (const Block& written : blocks_) {
+    cut_before(written.block);
     for (std::size_t e = 0; e < written.block->count; ++e)
-      for (int k = 0; k < written.nodes_each && comes_back(written, e); ++k) {
-        const Index node = nodes_of(*written.block, e)[k];
-        if (node < 0 || seen[static_cast<std::size_t>(node)]) continue;
-        seen[static_cast<std::size_t>(node)] = true;
-        nodes.push_back(node);
-      }
+      for (int k = 0; k < written.nodes_each && comes_back(written, e); ++k)
+        name(nodes_of(*written.block, e)[k]);
+  }
+  cut_before(nullptr);
   return nodes;
 }
 

@@ -21,6 +21,14 @@ class WrittenPart {
 
   WrittenPart(const Document& document, const Holds& holds);
 
+  /// Elements that come back as fans of triangles, in the document's order.
+  struct Cut {
+    const ElementBlock* block;
+    std::size_t element;  ///< in the block
+    int start, corners;   ///< the fan's
+  };
+
+  const std::vector<Cut>& cut() const { return cut_; }
   const std::vector<Block>& blocks() const { return blocks_; }  ///< in the order in which they come back
   bool comes_back(const Block& block, std::size_t e) const {
     return block.count == block.block->count || !names_unknown(*block.block, e);
@@ -36,10 +44,12 @@ class WrittenPart {
   bool all_nodes() const { return all_nodes_; }  ///< as they are
 
  private:
+  void find_cut(const ElementBlock& block, const Holds& holds);
   std::vector<Index> in_order_of_elements() const;
 
   const Document& document_;
   std::vector<Block> blocks_;
+  std::vector<Cut> cut_;
   bool all_nodes_ = true;
   std::vector<Index> nodes_;
 };

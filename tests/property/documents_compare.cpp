@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
@@ -43,6 +44,28 @@ bool counts_up(const std::vector<std::int64_t>& tags) {
   return tags.empty() || tags[0] == 0 || tags[0] == 1;
 }
 
+// The numbers behind question marks.
+std::set<std::int64_t> unknown_in(const std::string& text) {
+  std::set<std::int64_t> numbers;
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
+    if (text[i] == '?' && text[i + 1] >= '0' && text[i + 1] <= '9')
+      numbers.insert(std::strtoll(text.c_str() + i + 1, nullptr, 10));
+  return numbers;
+}
+
+// Lines in which "?17" is "?", sorted.
+std::string without_unknown(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    lines.back() += text[i];
+    if (text[i] == '\n') lines.emplace_back();
+    if (text[i] == '?')
+      while (i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') ++i;
+  }
+  std::sort(lines.begin() + 1, lines.end());
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 class Comparison {
  public:
   Comparison(const Document& before, const Document& after)
@@ -58,6 +81,8 @@ class Comparison {
     order_and_numbers();
     for (std::size_t e = 0; e < new_.size(); ++e)
       if (pairs_.element_before[e] != none) element(old_[at(pairs_.element_before[e])], new_[e]);
+    for (std::size_t e = 0; e < old_.size(); ++e)
+      if (pairs_.cut_after[e] != none) triangles(e);
     for (const Difference& d : differences_of_entities(before_, after_, pairs_))
       add(d.item, d.count, d.example, d.unsure);
     parts();
@@ -118,7 +143,9 @@ class Comparison {
     for (std::size_t e = 0; e < old_.size(); ++e) {
       const std::string example = fmt::format("element {}", old_[e].tag);
       const Index after = pairs_.element_after[e];
-      if (after == none)
+      if (pairs_.cut_after[e] != none)
+        add_one(kind_of(old_[e]) + " cut into triangles", example);
+      else if (after == none)
         add_one(names_unknown(old_[e]) && kinds.count(kind(old_[e]))
                     ? "elements that name nodes which do not exist"
                     : kind_of(old_[e]),
@@ -127,24 +154,8 @@ class Comparison {
         add_one(fmt::format("nodes between the corners of {}", kind_of(old_[e])), example);
     }
     for (std::size_t e = 0; e < new_.size(); ++e)
-      if (pairs_.element_before[e] == none && !of_a_polygon(new_[e]))
+      if (pairs_.element_before[e] == none && pairs_.cut_before[e] == none)
         add("gained elements", 1, fmt::format("element {}", new_[e].tag));
-  }
-
-  // Whether a triangle is cut out of a polygon that did not come back itself.
-  bool of_a_polygon(const Element& triangle) const {
-    if (triangle.type != io::triangle3) return false;
-    for (std::size_t e = 0; e < old_.size(); ++e) {
-      const Element& from = old_[e];
-      if (pairs_.element_after[e] != none || (from.type != io::quadrangle4 && from.type != io::polygon))
-        continue;
-      if (std::all_of(triangle.nodes.begin(), triangle.nodes.end(), [&](Index node) {
-            return node >= 0 && std::find(from.nodes.begin(), from.nodes.end(),
-                                          pairs_.node_before[at(node)]) != from.nodes.end();
-          }))
-        return true;
-    }
-    return false;
   }
 
   void order_and_numbers() {
@@ -171,8 +182,7 @@ class Comparison {
       last = b;
       was.push_back(before_.node_tag(at(b))), is.push_back(after_.node_tag(i));
     }
-    nodes_renumbered_ = was != is && !(counts_up(was) && counts_up(is));
-    if (nodes_renumbered_)
+    if (was != is && !(counts_up(was) && counts_up(is)))
       add("numbers of nodes", static_cast<std::int64_t>(was.size()), fmt::format("the first was {}", was[0]),
           false, fmt::format("the first is {}", was[0]));
     if (!in_order) add("order of nodes", 1, "");
@@ -192,13 +202,28 @@ class Comparison {
       add_one(is.partitions.empty() ? "partitions of elements" : "changed partitions", example);
     if (was.of_boundary != is.of_boundary)
       add_one(was.of_boundary ? "elements as polygons of the boundary to mesh"
-                              : "changed to polygons of the boundary",
+                              : "elements as faces of a mesh, not polygons of a boundary to mesh",
               example);
-    for (std::size_t k = 0; k < is.nodes.size() && !nodes_renumbered_; ++k)
-      if (is.nodes[k] < 0 && before_.named(was.nodes[k]) != after_.named(is.nodes[k]))
-        add("changed unknown nodes", 1,
-            fmt::format("{} names {}, which became {}", example, before_.named(was.nodes[k]),
-                        after_.named(is.nodes[k])));
+    for (std::size_t k = 0; k < is.nodes.size(); ++k) {
+      if (is.nodes[k] >= 0) continue;
+      const std::int64_t a = before_.named(was.nodes[k]), b = after_.named(is.nodes[k]);
+      if (a != b && renumbered_unknown_.insert(a).second)
+        add("numbers of nodes that do not exist", 1, fmt::format("{} became {}", a, b), false,
+            fmt::format("{} becomes {}", a, b));
+    }
+  }
+
+  // All triangles of a polygon say the same.
+  void triangles(std::size_t polygon) {
+    const Element& first = new_[at(pairs_.cut_after[polygon])];
+    Element alike = first;
+    alike.nodes.clear();
+    element(old_[polygon], alike);
+    for (std::size_t e = 0; e < new_.size(); ++e)
+      if (pairs_.cut_before[e] == static_cast<Index>(polygon) &&
+          (new_[e].groups != first.groups || new_[e].partitions != first.partitions ||
+           new_[e].entity != first.entity || new_[e].of_boundary != first.of_boundary))
+        add("triangles of a polygon that differ", 1, fmt::format("element {}", new_[e].tag));
   }
 
   // What is a list of texts in both: what has no equal was lost, or gained.
@@ -208,6 +233,18 @@ class Comparison {
       const auto found =
           std::find_if(is.begin(), is.end(), [&](const Text& t) { return t.text == text.text; });
       if (found == is.end()) return false;
+      is.erase(found);
+      return true;
+    });
+    std::erase_if(was, [&](const Text& text) {
+      const auto found = std::find_if(is.begin(), is.end(), [&](const Text& t) {
+        return t.item == text.item && without_unknown(t.text) == without_unknown(text.text);
+      });
+      if (found == is.end()) return false;
+      const std::set<std::int64_t> still = unknown_in(found->text);
+      for (const std::int64_t number : unknown_in(text.text))
+        if (still.count(number) == 0 && renumbered_unknown_.insert(number).second)
+          add("numbers of nodes that do not exist", 1, text.text);
       is.erase(found);
       return true;
     });
@@ -226,18 +263,34 @@ class Comparison {
   }
 
   void parts() {
+    // A file may go on naming what it lost by its number, which nothing has now.
+    std::set<std::int64_t> lost_nodes, lost_elements;
+    for (std::size_t i = 0; i < before_.points.size(); ++i)
+      if (pairs_.node_after[i] == none) lost_nodes.insert(before_.node_tag(i));
+    const bool renumbered = std::any_of(differences_.begin(), differences_.end(),
+                                        [](const Difference& d) { return d.item == "numbers of elements"; });
+    for (std::size_t e = 0; e < old_.size(); ++e)
+      if (pairs_.element_after[e] == none)
+        lost_elements.insert(renumbered ? static_cast<std::int64_t>(e + 1) : old_[e].tag);
     const auto name_in = [](const Document& document, const std::vector<Index>* to_before,
-                            const std::vector<Index>* to_after) {
-      return [&document, to_before, to_after](Index i) -> std::string {
+                            const std::vector<Index>* to_after, const std::set<std::int64_t>* lost) {
+      return [&document, to_before, to_after, lost](Index i) -> std::string {
+        if (i < 0 && lost && lost->count(document.unknown.at(at(-1 - i))) > 0) return {};
         if (i < 0) return fmt::format("?{}", document.unknown.at(at(-1 - i)));
         if (to_before) return fmt::format("{}", to_before->at(at(i)));
         return to_after->at(at(i)) == none ? std::string{} : fmt::format("{}", i);
       };
     };
-    const Names node_was = name_in(before_, nullptr, &pairs_.node_after),
-                node_is = name_in(after_, &pairs_.node_before, nullptr),
-                element_was = name_in(before_, nullptr, &pairs_.element_after),
-                element_is = name_in(after_, &pairs_.element_before, nullptr);
+    // What triangles have belongs to the polygon that they were.
+    std::vector<Index> elements_after = pairs_.element_after, elements_before = pairs_.element_before;
+    for (std::size_t e = 0; e < old_.size(); ++e)
+      if (pairs_.cut_after[e] != none) elements_after[e] = pairs_.cut_after[e];
+    for (std::size_t e = 0; e < new_.size(); ++e)
+      if (pairs_.cut_before[e] != none) elements_before[e] = pairs_.cut_before[e];
+    const Names node_was = name_in(before_, nullptr, &pairs_.node_after, nullptr),
+                node_is = name_in(after_, &pairs_.node_before, nullptr, &lost_nodes),
+                element_was = name_in(before_, nullptr, &elements_after, nullptr),
+                element_is = name_in(after_, &elements_before, nullptr, &lost_elements);
     lists(texts_of_values(before_.node_values, "nodes", node_was),
           texts_of_values(after_.node_values, "nodes", node_is));
     lists(texts_of_values(before_.element_values, "elements", element_was),
@@ -255,7 +308,7 @@ class Comparison {
   const Document &before_, &after_;
   const std::vector<Element> old_, new_;
   const Pairing pairs_;
-  bool nodes_renumbered_ = false;
+  std::set<std::int64_t> renumbered_unknown_;
   std::vector<Difference> differences_;
 };
 

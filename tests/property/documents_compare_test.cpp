@@ -136,7 +136,7 @@ TEST(DocumentsCompare, CountsElements) {
             "physical groups beyond an element's first 2; entities of elements 1; ");
   d = small();
   d.unknown = {71};
-  EXPECT_EQ(text_of(differences(small(), d)), "changed unknown nodes 1; ");
+  EXPECT_EQ(text_of(differences(small(), d)), "numbers of nodes that do not exist 1; ");
   d = small();
   d.element_values[0].reals = {2, 1, 3};
   d.element_values[0].at = {1, 0, 2};

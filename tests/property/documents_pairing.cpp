@@ -2,8 +2,9 @@
 #include "documents_pairing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <deque>
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -27,6 +28,100 @@ std::pair<int, std::size_t> corners_of(const Element& element) {
 }
 
 using Key = std::pair<int, std::vector<Index>>;
+
+// The corners of an element that may be cut into triangles; 0 for any other.
+std::size_t corners_to_cut(const Element& element) {
+  const io::ElementType* type = io::element_type(element.type);
+  if (element.type == io::polygon) return element.nodes.size();
+  return type && type->shape == io::Shape::quadrangle ? 4 : 0;
+}
+
+using Triangle = std::array<Index, 3>;
+
+// Finds polygons in the triangles that they were cut into.
+class Cutting {
+ public:
+  Cutting(const std::vector<Element>& before, const std::vector<Element>& after, Pairing& pairs)
+      : before_(before), after_(after), pairs_(pairs) {
+    for (const Element& element : after) {
+      Triangle corners{none, none, none};
+      for (std::size_t k = 0; element.type == io::triangle3 && k < 3; ++k)
+        corners[k] =
+            element.nodes[k] < 0 ? none : pairs.node_before[static_cast<std::size_t>(element.nodes[k])];
+      triangles_.push_back(corners);
+      ++surplus_[corners];
+      any_polygon_ = any_polygon_ || corners_to_cut(element) > 0;
+    }
+    for (const Element& element : before)
+      if (is_triangle(element)) --surplus_[{element.nodes[0], element.nodes[1], element.nodes[2]}];
+  }
+
+  // Those polygons whose kind did not come back, such that no triangle is left over: polygons that name nodes
+  // several times have fans that are parts of others.
+  void find() {
+    if (any_polygon_) return;
+    for (const auto& [corners, more] : surplus_) left_ += static_cast<std::size_t>(std::max(more, 0));
+    if (left_ > 0) find_from(0, 0);
+  }
+
+ private:
+  static bool is_triangle(const Element& element) {
+    return element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3});
+  }
+
+  bool find_from(std::size_t b, std::size_t from) {
+    if (left_ == 0) return true;
+    if (b == before_.size() || ++tries_ > 100000) return false;
+    const std::size_t n = corners_to_cut(before_[b]);
+    const auto cut_at = [&](std::size_t e) {
+      if (n < 4 || e + n > after_.size() + 2 || !is_fan(before_[b], n, e)) return false;
+      claim(b, e, n - 2, 1);
+      if (find_from(b + 1, e + n - 2)) return true;
+      claim(b, e, n - 2, -1);
+      return false;
+    };
+    // Best behind the triangles that stood before it.
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < b; ++i)
+      place += is_triangle(before_[i]) ? 1 : pairs_.cut_after[i] != none ? corners_to_cut(before_[i]) - 2 : 0;
+    if (place >= from && cut_at(place)) return true;
+    for (std::size_t e = from; e < after_.size(); ++e)
+      if (e != place && cut_at(e)) return true;
+    return find_from(b + 1, from);
+  }
+
+  // The triangles from `e` on for a polygon, or back from it.
+  void claim(std::size_t b, std::size_t e, std::size_t count, int sign) {
+    pairs_.cut_after[b] = sign > 0 ? static_cast<Index>(e) : none;
+    for (std::size_t i = e; i < e + count; ++i) {
+      pairs_.cut_before[i] = sign > 0 ? static_cast<Index>(b) : none;
+      surplus_[triangles_[i]] -= sign;
+    }
+    left_ = sign > 0 ? left_ - count : left_ + count;
+  }
+
+  // Whether the triangles from `e` on are the polygon's, and more than there were before.
+  bool is_fan(const Element& polygon, std::size_t n, std::size_t e) {
+    std::map<Triangle, int> used;
+    for (std::size_t i = e; i < e + n - 2; ++i)
+      if (++used[triangles_[i]] > surplus_[triangles_[i]] || triangles_[i][0] == none) return false;
+    for (std::size_t start = 0; start < n; ++start) {
+      bool all = true;
+      for (std::size_t i = 1; i + 1 < n && all; ++i)
+        all = triangles_[e + i - 1] == Triangle{polygon.nodes[start], polygon.nodes[(start + i) % n],
+                                                polygon.nodes[(start + i + 1) % n]};
+      if (all) return true;
+    }
+    return false;
+  }
+
+  const std::vector<Element>&before_, &after_;
+  Pairing& pairs_;
+  std::vector<Triangle> triangles_;  // of `after` in the numbers of `before`
+  std::map<Triangle, int> surplus_;  // how many more there are than triangles before
+  std::size_t left_ = 0, tries_ = 0;
+  bool any_polygon_ = false;
+};
 
 }  // namespace
 
@@ -68,7 +163,7 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     by_x.erase(found);
   }
 
-  std::map<Key, std::deque<Index>> whole, by_corners, incomplete;
+  std::map<Key, std::vector<Index>> whole, by_corners, incomplete;
   for (std::size_t e = 0; e < elements_before.size(); ++e) {
     Key key{elements_before[e].type, elements_before[e].nodes};
     for (Index& node : key.second)
@@ -84,7 +179,12 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
   }
   pairs.element_after.assign(elements_before.size(), none);
   pairs.element_before.assign(elements_after.size(), none);
-  const auto pair = [&](std::size_t e, std::initializer_list<std::map<Key, std::deque<Index>>*> among) {
+  pairs.cut_before.assign(elements_after.size(), none);
+  pairs.cut_after.assign(elements_before.size(), none);
+  Cutting(elements_before, elements_after, pairs).find();
+  std::vector<Key> keys;                // of the elements of `after` in the numbers of `before`
+  std::map<Key, std::size_t> unpaired;  // how many of them there still are
+  for (std::size_t e = 0; e < elements_after.size(); ++e) {
     Key key{elements_after[e].type, elements_after[e].nodes};
     constexpr Index new_node = -2;
     for (Index& node : key.second) {
@@ -93,25 +193,37 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
       else
         node = node < 0 ? none : pairs.node_before[static_cast<std::size_t>(node)];
     }
-    Index found = none;
-    for (auto* in : among) {
-      const auto like = in->find(key);
-      if (like == in->end()) continue;
-      std::deque<Index>& queue = like->second;
-      while (!queue.empty() && pairs.element_after[static_cast<std::size_t>(queue.front())] != none)
-        queue.pop_front();
-      if (!queue.empty() && (found == none || queue.front() < found)) found = queue.front();
-    }
+    if (pairs.cut_before[e] == none) ++unpaired[key];
+    keys.push_back(std::move(key));
+  }
+  const auto pair = [&](std::size_t e, std::initializer_list<std::map<Key, std::vector<Index>>*> among,
+                        bool same_part) {
+    if (pairs.cut_before[e] != none || pairs.element_before[e] != none) return;
+    std::vector<Index> candidates;
+    for (auto* in : among)
+      if (const auto like = in->find(keys[e]); like != in->end())
+        for (const Index b : like->second)
+          if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
+    // Where all came back there is nothing to choose.
+    if (same_part && candidates.size() > unpaired[keys[e]])
+      std::erase_if(candidates, [&](Index b) {
+        return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
+      });
+    if (candidates.empty()) return;
+    const Index found = *std::min_element(candidates.begin(), candidates.end());
+    --unpaired[keys[e]];
     pairs.element_before[e] = found;
-    if (found != none) pairs.element_after[static_cast<std::size_t>(found)] = static_cast<Index>(e);
+    pairs.element_after[static_cast<std::size_t>(found)] = static_cast<Index>(e);
   };
   // First those of a higher order, which came back as they are: what is left of them lost its nodes between.
-  for (std::size_t e = 0; e < elements_after.size(); ++e)
-    if (corners_of(elements_after[e]).first != 0) pair(e, {&whole});
-  for (std::size_t e = 0; e < elements_after.size(); ++e)
-    if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners});
-  for (std::size_t e = 0; e < elements_after.size(); ++e)
-    if (pairs.element_before[e] == none) pair(e, {&incomplete});
+  // And first what is of the boundary to mesh on both sides or on none.
+  for (const bool same_part : {true, false}) {
+    for (std::size_t e = 0; e < elements_after.size(); ++e)
+      if (corners_of(elements_after[e]).first != 0) pair(e, {&whole}, same_part);
+    for (std::size_t e = 0; e < elements_after.size(); ++e)
+      if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners}, same_part);
+  }
+  for (std::size_t e = 0; e < elements_after.size(); ++e) pair(e, {&incomplete}, false);
   return pairs;
 }
 

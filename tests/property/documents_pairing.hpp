@@ -26,10 +26,14 @@ struct Pairing {
   std::vector<Index> node_after;      ///< of each node of `before`
   std::vector<Index> element_before;  ///< likewise
   std::vector<Index> element_after;
+  std::vector<Index> cut_before;  ///< of each element of `after` the polygon that it is a triangle of
+  std::vector<Index> cut_after;   ///< of each element of `before` the first of its triangles
 };
 
 /// Pairs nodes by the 32-bit value of their x, and elements by their type and nodes, or by their corners
-/// where those of a higher order lost what stands between. Elements alike are paired in their order.
+/// where those of a higher order lost what stands between. Elements alike are paired in their order. A
+/// polygon of n corners that did not come back is paired with n - 2 triangles, one after the other, that all
+/// start at the same corner and go around it.
 Pairing pair_up(const Document& before, const std::vector<Element>& elements_before, const Document& after,
                 const std::vector<Element>& elements_after);
 

@@ -83,8 +83,11 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   std::int64_t changed = 0;
   std::string example;
   for (std::size_t e = 0; e < is.size(); ++e) {
-    if (pairs.element_before[e] == none) continue;
-    const Element& old = was[static_cast<std::size_t>(pairs.element_before[e])];
+    const Index cut = pairs.cut_before[e];
+    const bool first_of_cut =
+        cut != none && pairs.cut_after[static_cast<std::size_t>(cut)] == static_cast<Index>(e);
+    if (pairs.element_before[e] == none && !first_of_cut) continue;
+    const Element& old = was[static_cast<std::size_t>(first_of_cut ? cut : pairs.element_before[e])];
     const bool same = old.entity == is[e].entity && old.dim == is[e].dim;
     if (same || old.entity == 0 || (old.entity == 1 && is[e].entity == 0)) continue;
     if (changed++ == 0)
