@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/surface_files.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -50,15 +51,19 @@ std::string format_of_content(const InputFile& file) {
   return "";
 }
 
-[[noreturn]] void fail_unknown(const std::string& path, const std::string& ending,
-                               const char* known_endings) {
+[[noreturn]] void fail_unknown(const std::string& path, const std::string& ending, const std::string& known) {
   throw InputError(fmt::format("{}: {}, expected a surface as {}", path,
                                ending.empty() ? "no ending" : fmt::format("unknown ending '.{}'", ending),
-                               known_endings));
+                               known));
 }
 
 bool is_known(const std::string& format) {
   return format == "stl" || format == "off" || format == "obj" || format == "ply";
+}
+
+bool is_of_a_format(const std::string& ending) {
+  const std::vector<std::string> all = known_endings();
+  return std::find(all.begin(), all.end(), "." + ending) != all.end();
 }
 
 }  // namespace
@@ -80,7 +85,8 @@ SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
   if (format == "off") return read_off(file, wanted);
   if (format == "obj") return read_obj(file, wanted);
   if (format == "ply") return read_ply(file, wanted);
-  fail_unknown(file.path(), ending_of(file.path()), ".stl, .off, .obj, .ply, .poly, .smesh or .msh");
+  fail_unknown(file.path(), ending_of(file.path()),
+               fmt::format("one of {}", fmt::join(known_endings(), " ")));
 }
 
 void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
@@ -94,8 +100,9 @@ void write_surface_document(AtomicFile& file, const Document& document, const st
 }  // namespace io
 
 TriangleSurface read_surface(const std::string& path) {
-  if (ending_of(path) == "msh") return io::welded_surface(read_document(path));
-  if (ending_of(path) == "poly" || ending_of(path) == "smesh") return io::read_tetgen_surface(path);
+  const std::string ending = ending_of(path);
+  if (ending == "poly" || ending == "smesh") return io::read_tetgen_surface(path);
+  if (!is_known(ending) && is_of_a_format(ending)) return io::welded_surface(read_document(path));
   const InputFile file(path);
   return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
 }

@@ -8,8 +8,9 @@
 
 namespace tetproof {
 
-/// Reads a surface from a file: .stl, .off, .obj or .ply in any case; another ending is decided by the
-/// content.
+/// Reads a surface from a file: .stl, .off, .obj or .ply in any case, .poly and .smesh; the triangles of a
+/// mesh (.msh, .vtk, .vtu, .mesh, .meshb, ...; its other elements are passed over, but a quadrangle is an
+/// error); another ending is decided by the content.
 ///
 /// Vertices are welded by exact equality whatever the format (-0 equals 0; NaN equals nothing) and numbered
 /// in the order of their first occurrence. Polygons become fans of triangles if they are planar and convex

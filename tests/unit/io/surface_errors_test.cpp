@@ -22,6 +22,10 @@ struct Case {
   friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
 };
 
+const std::string all_endings =
+    ".msh .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh "
+    ".meshb "
+    ".stl .off .obj .ply";
 const std::string stl_start = "solid x\nfacet normal 0 0 1\nouter loop\n";
 const std::string stl_vertices = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
 const std::string off_points = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -226,9 +230,8 @@ const std::vector<Case> cases{
      "a.ply: byte 179: expected the end of the file after 1 of element 'face', found 2 more bytes"},
 
     {"UnknownEnding", "a.surf", "v 0 0 0\n",
-     "a.surf: unknown ending '.surf', expected a surface as .stl, .off, .obj, .ply, .poly, .smesh or .msh"},
-    {"NoEnding", "surface", "",
-     "surface: no ending, expected a surface as .stl, .off, .obj, .ply, .poly, .smesh or .msh"},
+     "a.surf: unknown ending '.surf', expected a surface as one of " + all_endings},
+    {"NoEnding", "surface", "", "surface: no ending, expected a surface as one of " + all_endings},
 };
 
 class SurfaceErrors : public testing::TestWithParam<Case> {};

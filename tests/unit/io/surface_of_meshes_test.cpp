@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that stand in a mesh file: its triangles, welded, or one line.
+// Surfaces that stand in a mesh's file: its triangles, welded, or one line.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/surface_files.hpp"
@@ -33,6 +34,36 @@ TEST(MshSurface, TrianglesWeldedAndInnerNodesLeftOut) {
   EXPECT_EQ(surface.vertices[2], Eigen::Vector3d(0, 1, 0));
   EXPECT_EQ(surface.triangles,
             (std::vector<std::array<Index, 3>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}));
+}
+
+// The same tetrahedron's surface in the files of other programs, by hand.
+TEST(MeshSurface, FromOtherPrograms) {
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"a.mesh",
+       "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+       "Triangles\n4\n1 3 2 7\n1 2 4 7\n2 3 4 7\n1 4 3 7\nTetrahedra\n1\n1 2 3 4 0\nEnd\n"},
+      {"a.vtk",
+       "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
+       "0 0 0 1 0 0 0 1 0 0 0 1\nPOLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
+      {"a.VTU",
+       "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+       "<Piece NumberOfPoints=\"4\" NumberOfCells=\"4\"><Points><DataArray type=\"Float64\" "
+       "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>"
+       "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 2 1 0 1 3 1 2 3 0 3 2</DataArray>"
+       "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray>"
+       "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5 5 5 5</DataArray></Cells></Piece>"
+       "</UnstructuredGrid></VTKFile>"},
+      {"a.face", "4 0\n1 1 3 2\n2 1 2 4\n3 2 3 4\n4 1 4 3\n"}};
+  const test::TestFiles files;
+  files.write("a.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+  for (const auto& [name, bytes] : cases) {
+    const TriangleSurface surface = read_surface(files.write(name, bytes));
+    EXPECT_EQ(surface.vertices, (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}))
+        << name;
+    EXPECT_EQ(surface.triangles,
+              (std::vector<std::array<Index, 3>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}))
+        << name;
+  }
 }
 
 struct Refusal {
