@@ -34,7 +34,10 @@ void read_entity(Numbers& in, int dim, bool partitioned, bool v40, TagSets& sets
   entity.dim = dim;
   entity.tag = in.integer("the tag of an entity");
   if (partitioned) {
-    entity.parent_dim = static_cast<int>(in.integer("the dimension of the parent entity"));
+    const std::int64_t parent = in.integer("the dimension of the parent entity");
+    if (parent < -1 || parent > 3)
+      in.fail(fmt::format("expected the dimension of the parent entity, 0 to 3, found {}", parent));
+    entity.parent_dim = static_cast<int>(parent);
     entity.parent = in.integer("the tag of the parent entity");
     entity.partitions = sets(read_tags(in, "the number of partitions", "a partition"));
   }

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "io/element_types.hpp"
 #include "io/checksum.hpp"
+#include "io/element_types.hpp"
 #include "io/error.hpp"
 #include "io/msh.hpp"
 #include "io/msh_data.hpp"
@@ -158,7 +158,10 @@ class Reader {
     const std::int64_t count = in_.count("the number of physical names", 6);
     for (std::int64_t i = 0; i < count; ++i) {
       GroupName name;
-      name.dim = static_cast<int>(in_.integer("the dimension of a physical group"));
+      const std::int64_t dim = in_.integer("the dimension of a physical group");
+      if (dim < 0 || dim > 3)
+        in_.fail_in_line(fmt::format("expected the dimension of a physical group, 0 to 3, found {}", dim));
+      name.dim = static_cast<int>(dim);
       name.group = in_.integer("the number of a physical group");
       in_.at_line_end();
       const std::string_view line = in_.rest_of_line();

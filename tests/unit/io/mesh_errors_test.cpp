@@ -98,6 +98,12 @@ const std::vector<Case> cases{
     {"SectionWithoutEnd",
      {{"a.msh", v41 + one41 + none41 + "$Mine\nno end\n$EndYours\n"}},
      "a.msh:13: section $Mine has no $EndMine"},
+    {"NameOfAGroupOfNoDimension",
+     {{"a.msh", v41 + "$PhysicalNames\n1\n4294967298 7 \"steel\"\n$EndPhysicalNames\n"}},
+     "a.msh:6: expected the dimension of a physical group, 0 to 3, found 4294967298"},
+    {"ParentOfNoDimension",
+     {{"a.msh", v41 + "$PartitionedEntities\n2\n0\n1 0 0 0\n1 4 5 1 1 0 0 0 0\n$EndPartitionedEntities\n"}},
+     "a.msh:8: expected the dimension of the parent entity, 0 to 3, found 4"},
     {"NameWithoutQuotes",
      {{"a.msh", v41 + "$PhysicalNames\n1\n3 7 steel\n$EndPhysicalNames\n"}},
      "a.msh:6: expected a name in double quotes, found 'steel'"},
@@ -264,7 +270,8 @@ TEST(MeshErrors, OfWriting) {
             "a.xyz: unknown ending, expected one of .msh .node .ele .face .edge .neigh .vol .mtr .var .t2f "
             ".t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl .off .obj .ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.msh"), document, {.format = "msh5"}); }),
-            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off obj ply");
+            "unknown format 'msh5', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl "
+            "off obj ply");
   EXPECT_EQ(files.message([&] { write_document(files.path("a.ele"), document, {.binary = true}); }),
             "a.ele: TetGen .node and .ele is never binary");
   EXPECT_EQ(files.message([&] { write_document(files.path("none/a.msh"), document); }),
