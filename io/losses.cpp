@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "io/element_types.hpp"
@@ -180,6 +181,23 @@ class Lister {
     const std::size_t all = places.size();
     io::weld(places);
     add("nodes at the place of another one", all - places.size(), fmt::format("of {}", all));
+    if (std::any_of(places.begin(), places.end(), [](const auto& p) { return p.hasNaN(); })) nodes_at_nan();
+  }
+
+  // They equal no place, not even their own, and come back once for each corner.
+  void nodes_at_nan() {
+    std::map<Index, std::size_t> corners;
+    for (const Written& written : written_.blocks())
+      for (std::size_t e = 0; e < written.block->count; ++e)
+        if (written_.comes_back(written, e))
+          for (int k = 0; k < written.nodes_each; ++k)
+            if (const Index node = written_.nodes_of(*written.block, e)[k];
+                document_.points[static_cast<std::size_t>(node)].hasNaN())
+              ++corners[node];
+    for (const auto& [node, count] : corners)
+      if (count > 1)
+        add("nodes at NaN, which become one for each corner", 1,
+            fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(node))));
   }
 
   // Those that come back count up from 0 or 1, or their numbers are lost.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -248,6 +249,23 @@ TEST(SurfaceDocuments, AreWrittenAsTheFormatsSay) {
 }
 
 // A square becomes two triangles; what is not planar is left out and told.
+TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Document document =
+      document_of(TriangleSurface{{{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {2, 1, 3}}});
+  const test::TestFiles files;
+  for (const bool binary : {false, true}) {
+    const std::string path = files.path("a.stl");
+    const std::vector<Loss> lost = losses(path, document, {.binary = binary});
+    ASSERT_EQ(lost.size(), 1U);
+    EXPECT_EQ(lost[0].item, "nodes at NaN, which become one for each corner");
+    EXPECT_EQ(lost[0].count, 1U);
+    EXPECT_EQ(lost[0].example, "node 3");
+    write_document(path, document, {.binary = binary});
+    EXPECT_EQ(read_document(path).points.size(), 5U);
+  }
+}
+
 TEST(SurfaceDocuments, StlCutsPolygons) {
   const test::TestFiles files;
   const Document document =
