@@ -260,9 +260,13 @@ TEST(RoundTrips, AllPairs) {
     for (const Loss& loss : said) all_said[loss.item] += loss.count;
     // An entity that all nodes have is no loss, and may come back as another number.
     const bool one_entity = first.node_blocks.size() == 1;
+    // Entities of elements that the one loses are there again in the other as entity 1.
+    const auto tells = [](const Loss& loss, const Difference& d) {
+      return loss.item == d.item || (loss.item == "entities of elements" && d.item == "numbers of entities");
+    };
     for (const Difference& d : differences(first, third))
       if (!d.unsure && !(one_entity && d.item == "entities of nodes") &&
-          std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return loss.item == d.item; }))
+          std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return tells(loss, d); }))
         RC_FAIL(fmt::format("{} -> {} -> {}: not said: {} ({}): {}", a.name, b.name, a.name, d.item, d.count,
                             d.example));
   }));
