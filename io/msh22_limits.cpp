@@ -22,16 +22,15 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
     return range.first >= -most - 1 && range.second <= most;
   };
   const auto unknown = range_of(document.unknown.size(), [&](std::size_t k) { return document.unknown[k]; });
-  const auto elements = range_of(document.elements(), [&](std::size_t i) { return document.element_tag(i); });
+  const auto elements = range_of(document.element_tags, document.first_element, 0, document.elements());
   for (const ElementBlock& block : document.blocks)
     limits.copies += block.count * (groups22(document, block).size() - 1);
   // Copies are numbered behind all elements, and behind those that data names but that do not exist.
   const bool names_elements = !document.element_values.empty() || !document.element_node_values.empty();
   const std::int64_t last = std::max({std::int64_t{0}, elements.second, names_elements ? unknown.second : 0});
-  limits.renumber =
-      !fits(unknown) || !fits(elements) ||
-      !fits(range_of(document.points.size(), [&](std::size_t i) { return document.node_tag(i); })) ||
-      (limits.copies > 0 && static_cast<std::uint64_t>(most - last) < limits.copies);
+  limits.renumber = !fits(unknown) || !fits(elements) ||
+                    !fits(range_of(document.node_tags, document.first_node, 0, document.points.size())) ||
+                    (limits.copies > 0 && static_cast<std::uint64_t>(most - last) < limits.copies);
   if (limits.renumber) {
     limits.first_copy = static_cast<std::int64_t>(document.elements()) + 1;
     limits.first_unknown =

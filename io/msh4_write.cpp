@@ -98,7 +98,7 @@ class Writer {
 
   void nodes() {
     const auto [least, most] =
-        range_of(document_.points.size(), [&](std::size_t i) { return document_.node_tag(i); });
+        range_of(document_.node_tags, document_.first_node, 0, document_.points.size());
     file_.write("$Nodes\n");
     file_.write(line<Binary>(4, [&, low = least, high = most](auto& out) {
       out.size(plan_.node_blocks.size()), out.size(document_.points.size());
@@ -133,8 +133,7 @@ class Writer {
     std::int64_t least = 0, most = 0, total = 0;
     for (std::size_t b : blocks_) {
       const ElementBlock& block = document_.blocks[b];
-      const auto range =
-          range_of(block.count, [&](std::size_t i) { return document_.element_tag(block.first + i); });
+      const auto range = range_of(document_.element_tags, document_.first_element, block.first, block.count);
       least = total == 0 ? range.first : std::min(least, range.first);
       most = total == 0 ? range.second : std::max(most, range.second);
       total += block.count;

@@ -112,4 +112,14 @@ std::pair<std::int64_t, std::int64_t> range_of(std::size_t count, const Tag& tag
   return {least, most};
 }
 
+/// The same of `count` nodes' or elements' tags from `from` on: `tags`, or if that is empty such as count up
+/// from `first`.
+inline std::pair<std::int64_t, std::int64_t> range_of(const std::vector<std::int64_t>& tags,
+                                                      std::int64_t first, std::size_t from,
+                                                      std::size_t count) {
+  if (!tags.empty() || count == 0) return range_of(count, [&](std::size_t i) { return tags[from + i]; });
+  const std::int64_t start = first + static_cast<std::int64_t>(from);
+  return {start, start + static_cast<std::int64_t>(count) - 1};
+}
+
 }  // namespace tetproof::io
