@@ -9,43 +9,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include "io/checksum.hpp"
 #include "io/error.hpp"
 
 namespace tetproof {
-
-namespace {
-
-// To free the memory of a large file that is replaced takes as long as to write a third of it: so the file is
-// held until the new one is in its place, and let go by a thread of its own.
-class Replaced {
- public:
-  explicit Replaced(const std::string& path) {
-    struct stat there {};
-    constexpr off_t large = off_t{1} << 22;
-    if (::stat(path.c_str(), &there) == 0 && S_ISREG(there.st_mode) && there.st_size >= large)
-      file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  }
-  Replaced(const Replaced&) = delete;
-  Replaced& operator=(const Replaced&) = delete;
-  ~Replaced() {
-    if (file_ < 0) return;
-    try {
-      std::thread([file = file_] { ::close(file); }).detach();
-    } catch (const std::system_error&) {  // no thread to be had
-      ::close(file_);
-    }
-  }
-
- private:
-  int file_ = -1;
-};
-
-}  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
   struct stat there {};
@@ -91,7 +60,6 @@ void AtomicFile::commit() {
   if (reserved_ > written_ && std::fflush(file_) == 0)  // what was reserved beyond the end is given back
     static_cast<void>(::ftruncate(::fileno(file_), static_cast<off_t>(written_)));
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-  const Replaced old(path_);
   if (closed && (beside_ == path_ || std::rename(beside_.c_str(), path_.c_str()) == 0)) return;
   const int reason = errno;
   if (beside_ != path_) std::remove(beside_.c_str());
