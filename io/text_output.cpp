@@ -15,7 +15,7 @@ void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
                   const std::function<char*(std::size_t, char*)>& format) {
   if (chunks == 0) return;
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t room = std::min(chunks, 2 * threads + 2);  // chunks that are in work at once
+  const std::size_t room = std::min(chunks, threads + 2);  // chunks that are in work at once
   const Scratch memory(room * longest);
   struct Formatted {
     std::string_view bytes;

@@ -45,7 +45,7 @@ void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
 /// returns its end. The bytes do not depend on the number of threads.
 template <class FormatItem>
 void write_items(AtomicFile& file, std::size_t count, std::size_t longest, const FormatItem& format) {
-  constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
+  constexpr std::size_t chunk_bytes = std::size_t{1} << 19;  // with fewer bytes binary waits for its turns
   const std::size_t chunk = std::max<std::size_t>(1, chunk_bytes / longest);
   write_chunks(file, (count + chunk - 1) / chunk, std::min(chunk, count) * longest,
                [&](std::size_t c, char* to) {
