@@ -119,7 +119,7 @@ inline std::pair<std::int64_t, std::int64_t> range_of(const std::vector<std::int
                                                       std::size_t count) {
   if (!tags.empty() || count == 0) return range_of(count, [&](std::size_t i) { return tags[from + i]; });
   const std::int64_t start = first + static_cast<std::int64_t>(from);
-  return {start, start + static_cast<std::int64_t>(count) - 1};
+  return {start, start + static_cast<std::int64_t>(count - 1)};
 }
 
 }  // namespace tetproof::io
