@@ -20,7 +20,9 @@ struct Holds {
   std::string kept_in;
 
   bool node_tags = false, element_tags = false;  ///< any numbers; else such that count up from 0 or 1
-  bool unknown_nodes = false;                    ///< elements that name numbers which no node has
+  /// Where elements cannot have any numbers: they count from 1 with those that are left out.
+  bool numbers_all_elements = false;
+  bool unknown_nodes = false;  ///< elements that name numbers which no node has
   /// The number under which the writer writes `Document::unknown[k]`; empty: that one.
   std::function<std::int64_t(std::size_t k)> unknown_number{};
   enum class Nodes { of_elements, of_no_other_elements, all };

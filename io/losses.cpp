@@ -223,23 +223,25 @@ class Lister {
 
   void element_numbers() {
     if (holds_.element_tags || written_.blocks().empty()) return;
-    std::int64_t first = 0, next = 0, position = 0;
+    std::int64_t first = 0, first_in_file = 0, position = 0, before = 0;
     bool plain = true, begun = false;  // plain: they count up from 0 or 1 and so do those in the file
     bool same = true;                  // they are those in the file, which start from 1
     std::size_t count = 0;
     auto cut = written_.cut().begin();
     for (const Written& written : written_.blocks()) {
       count += written.count;
-      for (; cut != written_.cut().end() && cut->block < written.block; ++cut) {
-        position += cut->corners - 2;
-        plain = plain && !begun;
-      }
+      for (; cut != written_.cut().end() && cut->block < written.block; ++cut) position += cut->corners - 2;
       for (std::size_t e = 0; e < written.block->count && (plain || same || !begun); ++e) {
         if (!written_.comes_back(written, e)) continue;
-        const std::int64_t tag = document_.element_tag(written.block->first + e);
-        if (!begun) first = next = tag, plain = is_plain(tag) && position == 0, begun = true;
-        plain = plain && tag == next++;
-        same = same && tag == ++position;
+        const std::size_t place = written.block->first + e;
+        const std::int64_t tag = document_.element_tag(place),
+                           in_file = holds_.numbers_all_elements ? static_cast<std::int64_t>(place) + 1
+                                                                 : ++position;
+        if (!begun) first = tag, first_in_file = in_file, begun = true;
+        plain = plain && is_plain(first) && tag == first + before && is_plain(first_in_file) &&
+                in_file == first_in_file + before;
+        same = same && tag == in_file;
+        ++before;
       }
     }
     if (!plain && !same) add("numbers of elements", count, fmt::format("the first is {}", first));

@@ -118,6 +118,7 @@ Holds hold22(const Document& document, bool binary) {
   const Msh22Limits limits = msh22_limits(document, binary);
   Holds holds;
   holds.node_tags = holds.element_tags = !limits.renumber;
+  holds.numbers_all_elements = true;
   if (limits.renumber)
     holds.unknown_number = [first = limits.first_unknown](std::size_t k) {
       return first + static_cast<std::int64_t>(k);

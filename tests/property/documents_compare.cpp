@@ -68,12 +68,12 @@ std::string without_unknown(const std::string& text) {
 
 class Comparison {
  public:
-  Comparison(const Document& before, const Document& after)
+  Comparison(const Document& before, const Document& after, Holding holding)
       : before_(before),
         after_(after),
         old_(elements_of(before)),
         new_(elements_of(after)),
-        pairs_(pair_up(before, old_, after, new_)) {}
+        pairs_(pair_up(before, old_, after, new_, holding)) {}
 
   std::vector<Difference> list() {
     nodes();
@@ -130,10 +130,6 @@ class Comparison {
       if (pairs_.node_before[i] == none) add("gained nodes", 1, fmt::format("node {}", after_.node_tag(i)));
   }
 
-  static bool names_unknown(const Element& element) {
-    return std::any_of(element.nodes.begin(), element.nodes.end(), [](Index i) { return i < 0; });
-  }
-
   void elements() {
     // Where elements of a kind came back, those that did not are missing for another reason.
     std::set<std::tuple<int, std::size_t, bool>> kinds;
@@ -146,7 +142,7 @@ class Comparison {
       if (pairs_.cut_after[e] != none)
         add_one(kind_of(old_[e]) + " cut into triangles", example);
       else if (after == none)
-        add_one(names_unknown(old_[e]) && kinds.count(kind(old_[e]))
+        add_one(old_[e].names_unknown() && kinds.count(kind(old_[e]))
                     ? "elements that name nodes which do not exist"
                     : kind_of(old_[e]),
                 example);
@@ -267,8 +263,10 @@ class Comparison {
     std::set<std::int64_t> lost_nodes, lost_elements;
     for (std::size_t i = 0; i < before_.points.size(); ++i)
       if (pairs_.node_after[i] == none) lost_nodes.insert(before_.node_tag(i));
-    const bool renumbered = std::any_of(differences_.begin(), differences_.end(),
-                                        [](const Difference& d) { return d.item == "numbers of elements"; });
+    bool renumbered = false;
+    for (std::size_t e = 0; e < new_.size(); ++e)
+      if (const Index was = pairs_.element_before[e]; was != none)
+        renumbered = renumbered || old_[at(was)].tag != new_[e].tag;
     for (std::size_t e = 0; e < old_.size(); ++e)
       if (pairs_.element_after[e] == none)
         lost_elements.insert(renumbered ? static_cast<std::int64_t>(e + 1) : old_[e].tag);
@@ -314,8 +312,8 @@ class Comparison {
 
 }  // namespace
 
-std::vector<Difference> differences(const Document& before, const Document& after) {
-  return Comparison(before, after).list();
+std::vector<Difference> differences(const Document& before, const Document& after, Holding holding) {
+  return Comparison(before, after, holding).list();
 }
 
 }  // namespace tetproof::test

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What differs between a document and what came back of it, judged by looking at both: it knows no format,
-// and shares no code with the list of losses that it is compared with.
+// What differs between a document and what came back of it, judged by looking at both: of the format it is
+// told no more than whether it has place for triangles alone, and it shares no code with the list of losses
+// that it is compared with.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "documents_pairing.hpp"
 #include "io/document.hpp"
 
 namespace tetproof::test {
@@ -23,6 +25,8 @@ struct Difference {
 
 /// What `after` lacks of `before`, up to what io/losses.hpp says is none. Nodes are known again by their x,
 /// which must differ from node to node even as 32-bit numbers (std::logic_error); elements by their nodes.
-std::vector<Difference> differences(const Document& before, const Document& after);
+/// `holding`: what the format that it came through has place for.
+std::vector<Difference> differences(const Document& before, const Document& after,
+                                    Holding holding = Holding::elements);
 
 }  // namespace tetproof::test

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 #include "../parser-fuzz/document_in_order.hpp"
@@ -144,6 +146,49 @@ TEST(DocumentsCompare, CountsElements) {
   d.element_values[0].reals[1] = -1;
   EXPECT_EQ(text_of(differences(small(), d)),
             "values \"v\" of elements 3; gained values \"v\" of elements 3; ");
+}
+
+// Triangles of second order, the first of which names a node between its corners that does not exist, and a
+// quadrangle that names one corner twice.
+Document alike() {
+  Document d;
+  for (int i = 0; i < 4; ++i) d.points.emplace_back(i, i * i, 0.1);
+  d.tag_sets = {{}};
+  d.unknown = {70};
+  d.blocks = {{.type = 9, .dim = 2, .nodes_each = 6, .count = 2},
+              {.type = 3, .dim = 2, .nodes_each = 4, .count = 1, .first = 2, .nodes = 12}};
+  d.connectivity = {0, 1, 2, -1, 3, 3, 0, 1, 2, 3, 3, 3, 0, 1, 2, 1};
+  return d;
+}
+
+Document triangles(std::initializer_list<std::array<Index, 3>> all) {
+  Document d = alike();
+  d.unknown.clear();
+  d.connectivity.clear();
+  for (const auto& nodes : all) d.connectivity.insert(d.connectivity.end(), nodes.begin(), nodes.end());
+  d.blocks = {{.type = 2, .dim = 2, .nodes_each = 3, .count = all.size()}};
+  return d;
+}
+
+TEST(DocumentsCompare, PairsElementsThatBecameAlike) {
+  const std::string quadrangle = "quadrangles of 4 nodes (type 3) 1; ";
+  EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}, {0, 1, 2}}))),
+            "nodes between the corners of triangles of 6 nodes (type 9) 2; " + quadrangle);
+  EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}}))),  // the second one is the first now
+            "elements that name nodes which do not exist 1; "
+            "nodes between the corners of triangles of 6 nodes (type 9) 1; " +
+                quadrangle + "numbers of elements 1; ");
+}
+
+TEST(DocumentsCompare, KnowsWhatWasCut) {
+  const std::string missing =
+      "elements that name nodes which do not exist 1; "
+      "nodes between the corners of triangles of 6 nodes (type 9) 1; "
+      "quadrangles of 4 nodes (type 3) ";
+  EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}, {0, 1, 2}, {0, 2, 1}}), Holding::triangles)),
+            missing + "cut into triangles 1; numbers of elements 1; ");
+  EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}, {0, 2, 1}}), Holding::triangles)),
+            missing + "1; gained elements 1; numbers of elements 1; ");
 }
 
 }  // namespace

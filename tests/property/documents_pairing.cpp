@@ -32,6 +32,7 @@ using Key = std::pair<int, std::vector<Index>>;
 // The corners of an element that may be cut into triangles; 0 for any other.
 std::size_t corners_to_cut(const Element& element) {
   const io::ElementType* type = io::element_type(element.type);
+  if (element.names_unknown()) return 0;
   if (element.type == io::polygon) return element.nodes.size();
   return type && type->shape == io::Shape::quadrangle ? 4 : 0;
 }
@@ -50,23 +51,23 @@ class Cutting {
             element.nodes[k] < 0 ? none : pairs.node_before[static_cast<std::size_t>(element.nodes[k])];
       triangles_.push_back(corners);
       ++surplus_[corners];
-      any_polygon_ = any_polygon_ || corners_to_cut(element) > 0;
     }
     for (const Element& element : before)
       if (is_triangle(element)) --surplus_[{element.nodes[0], element.nodes[1], element.nodes[2]}];
   }
 
-  // Those polygons whose kind did not come back, such that no triangle is left over: polygons that name nodes
-  // several times have fans that are parts of others.
+  // Such that no triangle is left over: polygons that name nodes several times have fans that are parts of
+  // others.
   void find() {
-    if (any_polygon_) return;
     for (const auto& [corners, more] : surplus_) left_ += static_cast<std::size_t>(std::max(more, 0));
     if (left_ > 0) find_from(0, 0);
   }
 
  private:
+  // One that came back, as itself or by its corners.
   static bool is_triangle(const Element& element) {
-    return element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3});
+    return (element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3})) &&
+           !element.names_unknown();
   }
 
   bool find_from(std::size_t b, std::size_t from) {
@@ -120,10 +121,13 @@ class Cutting {
   std::vector<Triangle> triangles_;  // of `after` in the numbers of `before`
   std::map<Triangle, int> surplus_;  // how many more there are than triangles before
   std::size_t left_ = 0, tries_ = 0;
-  bool any_polygon_ = false;
 };
 
 }  // namespace
+
+bool Element::names_unknown() const {
+  return std::any_of(nodes.begin(), nodes.end(), [](Index i) { return i < 0; });
+}
 
 std::vector<Element> elements_of(const Document& document) {
   std::vector<Element> elements;
@@ -145,7 +149,7 @@ std::vector<Element> elements_of(const Document& document) {
 }
 
 Pairing pair_up(const Document& before, const std::vector<Element>& elements_before, const Document& after,
-                const std::vector<Element>& elements_after) {
+                const std::vector<Element>& elements_after, Holding holding) {
   Pairing pairs;
   std::map<std::uint32_t, Index> by_x;
   const auto bits = [](const Eigen::Vector3d& p) {
@@ -171,17 +175,18 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     whole[key].push_back(static_cast<Index>(e));
     const auto [type, corners] = corners_of(elements_before[e]);
     if (corners == 0) continue;
-    // Where the format drops elements that name nodes which do not exist, even between the corners, those
-    // that name none are the ones that came back.
-    const bool names_unknown = std::count(key.second.begin(), key.second.end(), none) > 0;
+    // Where elements that name nodes which do not exist are dropped, even if those are between the corners,
+    // those that name none are the ones that came back.
+    const bool unknown = elements_before[e].names_unknown();
+    if (unknown && holding == Holding::triangles) continue;
     key.first = type, key.second.resize(corners);
-    (names_unknown ? incomplete : by_corners)[key].push_back(static_cast<Index>(e));
+    (unknown ? incomplete : by_corners)[key].push_back(static_cast<Index>(e));
   }
   pairs.element_after.assign(elements_before.size(), none);
   pairs.element_before.assign(elements_after.size(), none);
   pairs.cut_before.assign(elements_after.size(), none);
   pairs.cut_after.assign(elements_before.size(), none);
-  Cutting(elements_before, elements_after, pairs).find();
+  if (holding == Holding::triangles) Cutting(elements_before, elements_after, pairs).find();
   std::vector<Key> keys;                // of the elements of `after` in the numbers of `before`
   std::map<Key, std::size_t> unpaired;  // how many of them there still are
   for (std::size_t e = 0; e < elements_after.size(); ++e) {
@@ -196,15 +201,24 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     if (pairs.cut_before[e] == none) ++unpaired[key];
     keys.push_back(std::move(key));
   }
-  const auto pair = [&](std::size_t e, std::initializer_list<std::map<Key, std::vector<Index>>*> among,
+  const auto pair = [&](std::size_t e, std::initializer_list<const std::map<Key, std::vector<Index>>*> among,
                         bool same_part) {
     if (pairs.cut_before[e] != none || pairs.element_before[e] != none) return;
     std::vector<Index> candidates;
-    for (auto* in : among)
+    for (const auto* in : among)
       if (const auto like = in->find(keys[e]); like != in->end())
         for (const Index b : like->second)
           if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
     // Where all came back there is nothing to choose.
+    const auto rather = [&](const auto& not_this) {
+      if (candidates.size() > unpaired[keys[e]] &&
+          !std::all_of(candidates.begin(), candidates.end(), not_this))
+        std::erase_if(candidates, not_this);
+    };
+    rather([&](Index b) {
+      const Element& element = elements_before[static_cast<std::size_t>(b)];
+      return corners_of(element).first != 0 && element.names_unknown();
+    });
     if (same_part && candidates.size() > unpaired[keys[e]])
       std::erase_if(candidates, [&](Index b) {
         return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
@@ -221,9 +235,8 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     for (std::size_t e = 0; e < elements_after.size(); ++e)
       if (corners_of(elements_after[e]).first != 0) pair(e, {&whole}, same_part);
     for (std::size_t e = 0; e < elements_after.size(); ++e)
-      if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners}, same_part);
+      if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners, &incomplete}, same_part);
   }
-  for (std::size_t e = 0; e < elements_after.size(); ++e) pair(e, {&incomplete}, false);
   return pairs;
 }
 

@@ -16,6 +16,7 @@ struct Element {
   std::vector<std::int64_t> groups, partitions;
   bool of_boundary = false;
   std::vector<Index> nodes;
+  bool names_unknown() const;  ///< a node that does not exist
 };
 std::vector<Element> elements_of(const Document& document);
 
@@ -30,11 +31,15 @@ struct Pairing {
   std::vector<Index> cut_after;   ///< of each element of `before` the first of its triangles
 };
 
+/// What a format of which nothing else is known can hold of elements: any, or triangles between nodes that
+/// exist, and so no others but those and what is cut into them.
+enum class Holding { elements, triangles };
+
 /// Pairs nodes by the 32-bit value of their x, and elements by their type and nodes, or by their corners
-/// where those of a higher order lost what stands between. Elements alike are paired in their order. A
-/// polygon of n corners that did not come back is paired with n - 2 triangles, one after the other, that all
-/// start at the same corner and go around it.
+/// where those of a higher order lost what stands between. Elements alike are paired in their order. If
+/// there are triangles only, a polygon of n corners is paired with n - 2 of them, one after the other, that
+/// all start at the same corner and go around it.
 Pairing pair_up(const Document& before, const std::vector<Element>& elements_before, const Document& after,
-                const std::vector<Element>& elements_after);
+                const std::vector<Element>& elements_after, Holding holding);
 
 }  // namespace tetproof::test
