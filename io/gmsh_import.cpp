@@ -15,19 +15,13 @@
 #include "io/error.hpp"
 #include "io/gmsh_import_process.hpp"
 #include "io/input_file.hpp"
+#include "io/mesh_files.hpp"
 #include "io/msh.hpp"
 
 namespace tetproof::io {
 namespace {
 
 constexpr const char* helper_name = "tetproof-gmsh-import";
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
 
 // Gmsh takes a file whose ending it does not know for a script, and .Step or .BREP it does not know.
 void check_case(const std::string& path) {

@@ -27,12 +27,6 @@
 namespace tetproof {
 namespace {
 
-std::string ending_of(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] != '.') return {};
-  return io::lower_case(path.substr(dot));
-}
-
 const Format* format_with(const std::string& ending) {
   for (const Format& format : formats())
     if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
@@ -201,6 +195,12 @@ const std::vector<Format>& formats() {
     return list;
   }();
   return all;
+}
+
+std::string ending_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] != '.') return {};
+  return io::lower_case(path.substr(dot));
 }
 
 std::vector<std::string> known_endings() {

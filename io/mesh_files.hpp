@@ -24,6 +24,8 @@ struct Format {
 
 /// All formats: msh41, msh40, msh22, tetgen, vtu, vtk, medit, stl, off, obj, ply.
 const std::vector<Format>& formats();
+/// The ending of a path, in lower case and with its dot; empty if there is none.
+std::string ending_of(const std::string& path);
 /// Their endings, each once. All are read as well as written, and beside them `io::gmsh_endings()` are read.
 std::vector<std::string> known_endings();
 /// The format that `path`'s ending stands for when it is written. InputError naming the known endings.

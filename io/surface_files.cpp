@@ -24,11 +24,10 @@
 namespace tetproof {
 namespace {
 
-// The ending in lower case without its dot; empty if there is none.
-std::string ending_of(const std::string& path) {
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  const std::size_t dot = name.find_last_of('.');
-  return dot == name.npos ? "" : io::lower_case(name.substr(dot + 1));
+// What the ending says: stl, ...; empty if there is none.
+std::string format_of_name(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending.empty() ? ending : ending.substr(1);
 }
 
 // stl, off or ply, if the content leaves no doubt; OBJ has no first line to be known by.
@@ -51,9 +50,10 @@ std::string format_of_content(const InputFile& file) {
   return "";
 }
 
-[[noreturn]] void fail_unknown(const std::string& path, const std::string& ending, const std::string& known) {
+[[noreturn]] void fail_unknown(const std::string& path, const std::string& known) {
+  const std::string ending = ending_of(path);
   throw InputError(fmt::format("{}: {}, expected a surface as {}", path,
-                               ending.empty() ? "no ending" : fmt::format("unknown ending '.{}'", ending),
+                               ending.empty() ? "no ending" : fmt::format("unknown ending '{}'", ending),
                                known));
 }
 
@@ -63,19 +63,19 @@ bool is_known(const std::string& format) {
 
 bool is_of_a_format(const std::string& ending) {
   const std::vector<std::string> all = known_endings();
-  return std::find(all.begin(), all.end(), "." + ending) != all.end();
+  return std::find(all.begin(), all.end(), ending) != all.end();
 }
 
 }  // namespace
 
 bool is_surface_file(const std::string& path) {
-  return is_known(ending_of(path));
+  return is_known(format_of_name(path));
 }
 
 namespace io {
 
 std::string surface_format(const InputFile& file) {
-  const std::string format = ending_of(file.path());
+  const std::string format = format_of_name(file.path());
   return is_known(format) ? format : format_of_content(file);
 }
 
@@ -85,8 +85,7 @@ SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
   if (format == "off") return read_off(file, wanted);
   if (format == "obj") return read_obj(file, wanted);
   if (format == "ply") return read_ply(file, wanted);
-  fail_unknown(file.path(), ending_of(file.path()),
-               fmt::format("one of {}", fmt::join(known_endings(), " ")));
+  fail_unknown(file.path(), fmt::format("one of {}", fmt::join(known_endings(), " ")));
 }
 
 void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
@@ -101,17 +100,17 @@ void write_surface_document(AtomicFile& file, const Document& document, const st
 
 TriangleSurface read_surface(const std::string& path) {
   const std::string ending = ending_of(path);
-  if (ending == "poly" || ending == "smesh") return io::read_tetgen_surface(path);
-  if (!is_known(ending) && is_of_a_format(ending)) return io::welded_surface(read_document(path));
+  if (ending == ".poly" || ending == ".smesh") return io::read_tetgen_surface(path);
+  if (!is_surface_file(path) && is_of_a_format(ending)) return io::welded_surface(read_document(path));
   const InputFile file(path);
   return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
 }
 
 void write_surface(const std::string& path, const TriangleSurface& surface,
                    const SurfaceWriteOptions& options) {
-  const std::string format = options.format.empty() ? ending_of(path) : options.format;
+  const std::string format = options.format.empty() ? format_of_name(path) : options.format;
   if (!is_known(format)) {
-    if (options.format.empty()) fail_unknown(path, format, ".stl, .off, .obj or .ply");
+    if (options.format.empty()) fail_unknown(path, ".stl, .off, .obj or .ply");
     throw InputError(fmt::format("unknown surface format '{}', expected stl, off, obj or ply", format));
   }
   const auto vertices = static_cast<Index>(surface.vertices.size());

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where TetGen puts the nodes between corners, found by where they are: it depends on the version and on
-// switches.
+#include "io/tetgen_order.hpp"
+
 #include <algorithm>
 #include <array>
-
-#include "io/tetgen_parts.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -28,47 +26,57 @@ bool fits(const Document& document, const Index* corners, const Index* between,
   return true;
 }
 
-}  // namespace
-
-// With its switch for the opposite orientation TetGen exchanges corners 0 and 1, but nothing between corners.
-void order_tetrahedra_nodes(const TetgenElements& tets, Document& document) {
-  if (tets.nodes_each != 10 || tets.count == 0) return;
-  constexpr std::array<int, 6> usual{0, 1, 2, 3, 4, 5}, reversed{0, 2, 1, 5, 4, 3};
-  Index* const all = document.connectivity.data() + tets.nodes;
-  for (std::size_t t = 0; t < tets.count; ++t) {
-    const Index* tet = all + 10 * t;
-    if (fits(document, tet, tet + 4, usual) || !fits(document, tet, tet + 4, reversed)) return;
-  }
-  for (std::size_t t = 0; t < tets.count; ++t) {
-    Index* const tet = all + 10 * t;
-    std::swap(tet[5], tet[6]);
-    std::swap(tet[7], tet[9]);
-  }
+bool is_usual(const Document& document, const Index* tet) {
+  return fits<6>(document, tet, tet + 4, {0, 1, 2, 3, 4, 5});
+}
+bool is_turned(const Document& document, const Index* tet) {
+  return fits<6>(document, tet, tet + 4, {0, 2, 1, 5, 4, 3});
 }
 
-// With -f TetGen 1.5 lists the node opposite to each corner, without it the node behind each corner.
-void order_face_nodes(const TetgenElements& faces, const TetgenElements& tets, Document& document) {
-  if (faces.nodes_each != 6 || faces.count == 0) return;
-  // The edge that a node is in the middle of, as the tetrahedra say, which may be curved.
-  std::vector<std::array<Index, 2>> edge_of;
-  if (tets.nodes_each == 10 && tets.count > 0) {
-    edge_of.assign(document.points.size(), {-1, -1});
-    const Index* tet = document.connectivity.data() + tets.nodes;
-    for (std::size_t t = 0; t < tets.count; ++t, tet += 10)
-      for (int k = 0; k < 6; ++k)
-        if (tet[4 + k] >= 0) {
-          const auto [low, high] = std::minmax(tet[edges[k][0]], tet[edges[k][1]]);
-          edge_of[static_cast<std::size_t>(tet[4 + k])] = {low, high};
-        }
-  }
+// Of each node the edge that it is in the middle of, as the tetrahedra say, which may be curved.
+std::vector<std::array<Index, 2>> edges_of(const Document& document, const std::vector<TetgenRun>& tets) {
+  std::vector<std::array<Index, 2>> edge_of(document.points.size(), {-1, -1});
+  for (const TetgenRun& run : tets)
+    for (std::size_t t = 0; t < run.count; ++t)
+      for (int k = 0; k < 6; ++k) {
+        const Index* tet = run.nodes + 10 * t;
+        if (tet[4 + k] < 0) continue;
+        const auto [low, high] = std::minmax(tet[edges[k][0]], tet[edges[k][1]]);
+        edge_of[static_cast<std::size_t>(tet[4 + k])] = {low, high};
+      }
+  return edge_of;
+}
+
+template <class Yes>
+bool all_and_any(const std::vector<TetgenRun>& runs, std::size_t each, const Yes& yes) {
+  std::size_t count = 0;
+  for (const TetgenRun& run : runs)
+    for (std::size_t e = 0; e < run.count; ++e, ++count)
+      if (!yes(run.nodes + each * e)) return false;
+  return count > 0;
+}
+
+std::vector<TetgenRun> runs_of(const TetgenElements& elements, const Document& document) {
+  return {{document.connectivity.data() + elements.nodes, elements.count}};
+}
+
+}  // namespace
+
+bool nodes_of_turned(const Document& document, const std::vector<TetgenRun>& tets) {
+  return all_and_any(tets, 10,
+                     [&](const Index* tet) { return !is_usual(document, tet) && is_turned(document, tet); });
+}
+
+bool nodes_opposite_corners(const Document& document, const std::vector<TetgenRun>& faces,
+                            const std::vector<TetgenRun>& tets) {
+  std::vector<std::array<Index, 2>> edge_of;  // not before the first face asks
   const auto between = [&](Index a, Index b, Index m) {
-    if (edge_of.empty()) return in_the_middle(document, a, b, m);
+    if (tets.empty()) return in_the_middle(document, a, b, m);
+    if (edge_of.empty()) edge_of = edges_of(document, tets);
     const auto [low, high] = std::minmax(a, b);
     return m >= 0 && edge_of[static_cast<std::size_t>(m)] == std::array<Index, 2>{low, high};
   };
-  Index* const all = document.connectivity.data() + faces.nodes;
-  for (std::size_t f = 0; f < faces.count; ++f) {
-    const Index* face = all + 6 * f;
+  return all_and_any(faces, 6, [&](const Index* face) {
     const auto fits = [&](int shift) {  // node k between the corners is in the middle of edge k + shift
       for (int k = 0; k < 3; ++k) {
         const int edge = (k + shift) % 3;
@@ -76,8 +84,26 @@ void order_face_nodes(const TetgenElements& faces, const TetgenElements& tets, D
       }
       return true;
     };
-    if (fits(0) || !fits(1)) return;
+    return !fits(0) && fits(1);
+  });
+}
+
+void order_tetrahedra_nodes(const TetgenElements& tets, Document& document) {
+  if (tets.nodes_each != 10 || !nodes_of_turned(document, runs_of(tets, document))) return;
+  Index* const all = document.connectivity.data() + tets.nodes;
+  for (std::size_t t = 0; t < tets.count; ++t) {
+    Index* const tet = all + 10 * t;
+    std::swap(tet[5], tet[6]);
+    std::swap(tet[7], tet[9]);
   }
+}
+
+void order_face_nodes(const TetgenElements& faces, const TetgenElements& tets, Document& document) {
+  if (faces.nodes_each != 6) return;
+  std::vector<TetgenRun> of_second_order;
+  if (tets.nodes_each == 10 && tets.count > 0) of_second_order = runs_of(tets, document);
+  if (!nodes_opposite_corners(document, runs_of(faces, document), of_second_order)) return;
+  Index* const all = document.connectivity.data() + faces.nodes;
   for (std::size_t f = 0; f < faces.count; ++f) {
     Index* const face = all + 6 * f;
     std::rotate(face + 3, face + 5, face + 6);

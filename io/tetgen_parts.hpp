@@ -49,11 +49,6 @@ TetgenElementFile read_face_header(Records&, int tets);
 TetgenElementFile read_edge_header(Records&, int others);
 TetgenElements read_elements(Records&, const TetgenElementFile&, NodeIndex&, Document&);
 
-/// In what order TetGen lists nodes between corners depends on its version and switches: puts all of a
-/// file's, read in its usual order, into the order that their places prove.
-void order_tetrahedra_nodes(const TetgenElements&, Document&);
-void order_face_nodes(const TetgenElements& faces, const TetgenElements& tets, Document&);
-
 /// Integers, so many for each of the elements, from a file that has a first line (.neigh) or none (.t2f,
 /// .t2e, .f2e).
 void read_element_integers(Records&, const TetgenElements&, const char* many, const char* name, int each,

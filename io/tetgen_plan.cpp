@@ -5,6 +5,7 @@
 
 #include "io/element_types.hpp"
 #include "io/tetgen.hpp"
+#include "io/tetgen_order.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -23,6 +24,13 @@ void add(TetgenList& list, const ElementBlock& block) {
 bool all_of_type(const TetgenList& list, int type) {
   return list.count > 0 && std::all_of(list.blocks.begin(), list.blocks.end(),
                                        [&](const ElementBlock* block) { return block->type == type; });
+}
+
+std::vector<TetgenRun> runs_of(const Document& document, const TetgenList& list) {
+  std::vector<TetgenRun> runs;
+  for (const ElementBlock* block : list.blocks)
+    runs.push_back({document.connectivity.data() + block->nodes, block->count});
+  return runs;
 }
 
 // The elements of a list stand one after the other from `first` on.
@@ -173,10 +181,15 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
     if (has_shape(block, Shape::triangle)) add(plan.faces, block);
     if (has_shape(block, Shape::line)) add(plan.edges, block);
   }
-  // TetGen expects faces and edges to be of second order where the tetrahedra are, and nowhere else.
-  plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) ? 10 : 4;
+  // TetGen expects faces and edges to be of second order where the tetrahedra are, and nowhere else. Nodes
+  // between corners that a reader would take for those of another order are not written.
+  const std::vector<TetgenRun> tets = runs_of(document, plan.tets), faces = runs_of(document, plan.faces);
+  plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) && !nodes_of_turned(document, tets) ? 10 : 4;
   const bool second_order = plan.tets.nodes_each == 10;
-  plan.faces.nodes_each = second_order && all_of_type(plan.faces, triangle6) ? 6 : 3;
+  plan.faces.nodes_each =
+      second_order && all_of_type(plan.faces, triangle6) && !nodes_opposite_corners(document, faces, tets)
+          ? 6
+          : 3;
   plan.edges.nodes_each = second_order && all_of_type(plan.edges, line3) ? 3 : 2;
   plan.renumber_elements = !counts_up(document, plan.base, {&plan.tets, &plan.faces, &plan.edges});
 

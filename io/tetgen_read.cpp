@@ -10,6 +10,7 @@
 #include "io/polygons.hpp"
 #include "io/supplement.hpp"
 #include "io/tetgen.hpp"
+#include "io/tetgen_order.hpp"
 #include "io/tetgen_parts.hpp"
 #include "io/tetgen_set.hpp"
 

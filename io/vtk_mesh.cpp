@@ -94,6 +94,19 @@ class Names {
   std::set<std::string> taken_;
 };
 
+// Columns that are written, with the name of their array: a table of one column has its name twice.
+void each_field(const Document& document, auto&& each) {
+  Names names;
+  for (const Table& table : document.tables)
+    for (const Column& column : table.columns) {
+      if (!column.lengths.empty() || column.components < 1 ||
+          column_size(column) % static_cast<std::size_t>(column.components) != 0)
+        continue;
+      const bool plain = table.columns.size() == 1 && column.name == table.name;
+      each(table, column, names(plain ? table.name : table.name + "." + column.name));
+    }
+}
+
 class Maker {
  public:
   Maker(const Document& document, const std::string& entity_name) : document_(document) {
@@ -189,24 +202,18 @@ class Maker {
   }
 
   void fields() {
-    Names names;
-    for (const Table& table : document_.tables)
-      for (const Column& column : table.columns) {
-        if (!column.lengths.empty() || column.components < 1 ||
-            column_size(column) % static_cast<std::size_t>(column.components) != 0)
-          continue;
-        const bool plain = table.columns.size() == 1 && column.name == table.name;
-        VtkArray array{.name = names(plain ? table.name : table.name + "." + column.name),
-                       .components = column.components,
-                       .reals = column.reals,
-                       .integers = column.integers,
-                       .texts = column.texts};
-        array.type = fits_its_type(column)      ? column.type
-                     : !column.texts.empty()    ? "String"
-                     : !column.integers.empty() ? "Int64"
-                                                : "Float64";
-        mesh_.field_data.push_back(std::move(array));
-      }
+    each_field(document_, [&](const Table&, const Column& column, const std::string& name) {
+      VtkArray array{.name = name,
+                     .components = column.components,
+                     .reals = column.reals,
+                     .integers = column.integers,
+                     .texts = column.texts};
+      array.type = fits_its_type(column)      ? column.type
+                   : !column.texts.empty()    ? "String"
+                   : !column.integers.empty() ? "Int64"
+                                              : "Float64";
+      mesh_.field_data.push_back(std::move(array));
+    });
   }
 
   const Document& document_;
@@ -256,14 +263,14 @@ Holds vtk_holds_common(const Document& document) {
            values.labels.empty() && !values.of_view && values.time == 0 && values.step == 0 &&
            values.partition == 0 && values.interpolation.empty() && own_name.contains(&values);
   };
-  std::set<std::string> field_names;
-  holds.tables = std::all_of(document.tables.begin(), document.tables.end(), [&](const Table& table) {
-    if (table.columns.size() != 1 || table.columns[0].name != table.name || table.name.empty()) return false;
-    const Column& column = table.columns[0];
-    return column.lengths.empty() && column.components > 0 && fits_its_type(column) &&
-           table.rows * static_cast<std::size_t>(column.components) == column_size(column) &&
-           field_names.insert(table.name).second;
+  std::set<const Table*> tables;
+  each_field(document, [&](const Table& table, const Column& column, const std::string& name) {
+    if (table.columns.size() == 1 && column.name == table.name && name == table.name &&
+        fits_its_type(column) &&
+        table.rows * static_cast<std::size_t>(column.components) == column_size(column))
+      tables.insert(&table);
   });
+  holds.table = [tables](const Table& table) { return tables.contains(&table); };
   return holds;
 }
 

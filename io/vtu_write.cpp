@@ -158,10 +158,9 @@ Holds vtu_holds(const Document& document, bool) {
   holds.values = [common = holds.values](const Values& values, Of of) {
     return common(values, of) && is_xml_text(values.name);
   };
-  for (const Table& table : document.tables) {
-    holds.tables = holds.tables && is_xml_text(table.name);
-    for (const Column& column : table.columns) holds.tables = holds.tables && are_writable(column.texts);
-  }
+  holds.table = [common = holds.table](const Table& table) {
+    return common(table) && is_xml_text(table.name) && are_writable(table.columns[0].texts);
+  };
   return holds;
 }
 

@@ -229,6 +229,7 @@ class Comparison {
       const auto found =
           std::find_if(is.begin(), is.end(), [&](const Text& t) { return t.text == text.text; });
       if (found == is.end()) return false;
+      if (text.gone) add(text.item, text.count, text.text, true, text.subject);
       is.erase(found);
       return true;
     });
@@ -263,13 +264,16 @@ class Comparison {
     std::set<std::int64_t> lost_nodes, lost_elements;
     for (std::size_t i = 0; i < before_.points.size(); ++i)
       if (pairs_.node_after[i] == none) lost_nodes.insert(before_.node_tag(i));
-    bool renumbered = false;
+    // By the one that it had, or by its place; where nothing came back that tells which, by either.
+    bool renumbered = false, same = false;
     for (std::size_t e = 0; e < new_.size(); ++e)
       if (const Index was = pairs_.element_before[e]; was != none)
-        renumbered = renumbered || old_[at(was)].tag != new_[e].tag;
+        (old_[at(was)].tag == new_[e].tag ? same : renumbered) = true;
     for (std::size_t e = 0; e < old_.size(); ++e)
-      if (pairs_.element_after[e] == none)
-        lost_elements.insert(renumbered ? static_cast<std::int64_t>(e + 1) : old_[e].tag);
+      if (pairs_.element_after[e] == none) {
+        if (!renumbered) lost_elements.insert(old_[e].tag);
+        if (!same || renumbered) lost_elements.insert(static_cast<std::int64_t>(e + 1));
+      }
     const auto name_in = [](const Document& document, const std::vector<Index>* to_before,
                             const std::vector<Index>* to_after, const std::set<std::int64_t>* lost) {
       return [&document, to_before, to_after, lost](Index i) -> std::string {

@@ -209,20 +209,29 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
       if (const auto like = in->find(keys[e]); like != in->end())
         for (const Index b : like->second)
           if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
-    // Where all came back there is nothing to choose.
-    const auto rather = [&](const auto& not_this) {
-      if (candidates.size() > unpaired[keys[e]] &&
-          !std::all_of(candidates.begin(), candidates.end(), not_this))
-        std::erase_if(candidates, not_this);
+    const auto other_part = [&](Index b) {
+      return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
     };
-    rather([&](Index b) {
+    const auto incomplete_one = [&](Index b) {
       const Element& element = elements_before[static_cast<std::size_t>(b)];
       return corners_of(element).first != 0 && element.names_unknown();
-    });
-    if (same_part && candidates.size() > unpaired[keys[e]])
-      std::erase_if(candidates, [&](Index b) {
-        return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
-      });
+    };
+    // Where all came back there is nothing to choose. Else some were dropped for one reason, if that makes as
+    // many as there are, or for both.
+    const auto but = [&](const auto& not_this) {
+      std::vector<Index> left = candidates;
+      std::erase_if(left, not_this);
+      return left;
+    };
+    const std::size_t count = unpaired[keys[e]];
+    if (candidates.size() > count) {
+      if (but(incomplete_one).size() == count) {
+        candidates = but(incomplete_one);
+      } else {
+        if (same_part) candidates = but(other_part);
+        if (candidates.size() > count && !but(incomplete_one).empty()) candidates = but(incomplete_one);
+      }
+    }
     if (candidates.empty()) return;
     const Index found = *std::min_element(candidates.begin(), candidates.end());
     --unpaired[keys[e]];

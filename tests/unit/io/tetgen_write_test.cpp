@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the writers of TetGen's files put where, and that it comes back.
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include "io/element_types.hpp"
+#include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/tetgen.hpp"
 #include "tetgen_text.hpp"
@@ -154,6 +162,38 @@ TEST(TetgenWrite, SecondOrder) {
   EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 1\n1 1 2 3 5 6 7 3 1 -1\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 1\n1 1 2 5 4 1\n");
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.ele"))), test::tetgen_text(document));
+}
+
+// Nodes between corners in an order that the reader would take for that of one of TetGen's switches, and
+// change, are not written but come back from the comments.
+TEST(TetgenWrite, SecondOrderInAnotherOrder) {
+  const test::TestFiles files;
+  Document straight = second_order(false);
+  straight.points[5] = {.5, .5, 0};
+  Document turned = straight, opposite = straight;
+  std::swap(turned.connectivity[5], turned.connectivity[6]);
+  std::swap(turned.connectivity[7], turned.connectivity[9]);
+  std::rotate(opposite.connectivity.begin() + 13, opposite.connectivity.begin() + 14,
+              opposite.connectivity.begin() + 16);
+  for (const auto& [document, ele, face] : {std::tuple(straight, 10, 6), {turned, 4, 3}, {opposite, 10, 3}}) {
+    write_document(files.path("a.ele"), document);
+    const Document back = read_document(files.path("a.ele"));
+    EXPECT_EQ(back.connectivity, document.connectivity);
+    EXPECT_EQ(test::tetgen_text(back), test::tetgen_text(document));
+    const auto words = [&](const char* file) {  // of the second line
+      std::istringstream text(test::TestFiles::read(files.path(file)));
+      std::string line;
+      std::getline(text, line), std::getline(text, line);
+      std::istringstream of_line(line);
+      return std::distance(std::istream_iterator<std::string>(of_line), {});
+    };
+    EXPECT_EQ(words("a.ele"), 1 + ele);
+    EXPECT_EQ(words("a.face"), 1 + face + 1 + (face == 6 || ele == 4 ? 2 : 0));
+    std::vector<std::string> aside;
+    for (const Loss& loss : kept_aside(files.path("a.ele"), document).items)
+      if (loss.item.starts_with("nodes between")) aside.push_back(loss.item);
+    EXPECT_EQ(aside.size(), ele == 10 ? face == 6 ? 0 : 1 : 3);
+  }
 }
 
 // Tetrahedra behind bare corners would be taken for nodes between them.
