@@ -130,7 +130,7 @@ struct LossCase {
 };
 
 const std::vector<LossCase> loss_cases{
-    {"Msh41", "a.msh", {}, {"values \"markers\" of nodes: 10 (1)"}},
+    {"Msh41", "a.msh", WriteOptions(), {"values \"markers\" of nodes: 10 (1)"}},
     {"Msh41Binary",
      "a.msh",
      {.binary = true},
@@ -142,7 +142,7 @@ const std::vector<LossCase> loss_cases{
       "section $Periodic: 1 (2 bytes)"}},
     {"Tetgen",
      "a.node",
-     {},
+     WriteOptions(),
      {"nodes between the corners of tetrahedra of 10 nodes (type 11): 1 (element 5)",
       "numbers of nodes: 10 (the first is 10)", "numbers of elements: 3 (the first is 5)",
       "entities of elements: 3 (element 5 in entity 5)",
@@ -150,20 +150,19 @@ const std::vector<LossCase> loss_cases{
       "entities with their boxes and boundaries: 2 (6 of dimension 2)",
       "physical groups of elements: 3 (element 5 in groups 9)", "names of physical groups: 1 (skin)",
       "nodes with parametric coordinates: 3 (node 10)", "values \"attributes\" of elements: 3 (2.25)",
-      "section $Periodic: 1 (2 bytes)",
-      "section $Mine: 1 (2 bytes)"}},
+      "section $Periodic: 1 (2 bytes)", "section $Mine: 1 (2 bytes)"}},
     {"Vtu",
      "a.vtu",
-     {},
+     WriteOptions(),
      {"elements that name nodes which do not exist: 1 (element 3 names node 999)",
       "numbers of nodes: 10 (the first is 10)", "numbers of elements: 2 (the first is 5)",
       "entities of nodes: 10 (node 10 on entity 6 of dimension 2)",
-      "entities with their boxes and boundaries: 1 (5 of dimension 3)",
-      "names of physical groups: 1 (skin)", "nodes with parametric coordinates: 3 (node 10)",
-      "section $Periodic: 1 (2 bytes)", "section $Mine: 1 (2 bytes)"}},
+      "entities with their boxes and boundaries: 1 (5 of dimension 3)", "names of physical groups: 1 (skin)",
+      "nodes with parametric coordinates: 3 (node 10)", "section $Periodic: 1 (2 bytes)",
+      "section $Mine: 1 (2 bytes)"}},
     {"Stl",
      "a.stl",
-     {},
+     WriteOptions(),
      {"tetrahedra of 10 nodes (type 11): 1 (element 5)", "tetrahedra of 4 nodes (type 4): 1 (element 3)",
       "nodes of no element that is written: 7 (node 40)", "numbers of nodes: 3 (the first is 10)",
       "numbers of elements: 1 (the first is 9)",
@@ -244,7 +243,7 @@ TEST(MeshViews, SecondOrderByItsCorners) {
 TEST(MeshWrite, TetgenRenumbersAndKeepsUnknownNumbersUnknown) {
   const test::TestFiles files;
   Document document = rich();
-  document.unknown = {2};  // which is a node once they are numbered from 1
+  document.unknown = {2};                       // which is a node once they are numbered from 1
   document.element_values[0].reals.pop_back();  // of the tetrahedra alone
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "2 4 1\n1 1 2 3 4 2.25\n2 1 2 3 11 0\n");
