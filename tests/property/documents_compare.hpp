@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What differs between a document and what came back of it, judged by looking at both: of the format it is
-// told no more than whether it has place for triangles alone, and it shares no code with the list of losses
+// told no more than what kind of elements it has place for, and it shares no code with the list of losses
 // that it is compared with.
 #pragma once
 

@@ -167,20 +167,17 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     by_x.erase(found);
   }
 
-  std::map<Key, std::vector<Index>> whole, by_corners, incomplete;
+  std::map<Key, std::vector<Index>> whole, by_corners;
   for (std::size_t e = 0; e < elements_before.size(); ++e) {
+    if (holding > Holding::elements && elements_before[e].names_unknown()) continue;
     Key key{elements_before[e].type, elements_before[e].nodes};
     for (Index& node : key.second)
       if (node < 0) node = none;
     whole[key].push_back(static_cast<Index>(e));
     const auto [type, corners] = corners_of(elements_before[e]);
     if (corners == 0) continue;
-    // Where elements that name nodes which do not exist are dropped, even if those are between the corners,
-    // those that name none are the ones that came back.
-    const bool unknown = elements_before[e].names_unknown();
-    if (unknown && holding == Holding::triangles) continue;
     key.first = type, key.second.resize(corners);
-    (unknown ? incomplete : by_corners)[key].push_back(static_cast<Index>(e));
+    by_corners[key].push_back(static_cast<Index>(e));
   }
   pairs.element_after.assign(elements_before.size(), none);
   pairs.element_before.assign(elements_after.size(), none);
@@ -209,29 +206,11 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
       if (const auto like = in->find(keys[e]); like != in->end())
         for (const Index b : like->second)
           if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
-    const auto other_part = [&](Index b) {
-      return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
-    };
-    const auto incomplete_one = [&](Index b) {
-      const Element& element = elements_before[static_cast<std::size_t>(b)];
-      return corners_of(element).first != 0 && element.names_unknown();
-    };
-    // Where all came back there is nothing to choose. Else some were dropped for one reason, if that makes as
-    // many as there are, or for both.
-    const auto but = [&](const auto& not_this) {
-      std::vector<Index> left = candidates;
-      std::erase_if(left, not_this);
-      return left;
-    };
-    const std::size_t count = unpaired[keys[e]];
-    if (candidates.size() > count) {
-      if (but(incomplete_one).size() == count) {
-        candidates = but(incomplete_one);
-      } else {
-        if (same_part) candidates = but(other_part);
-        if (candidates.size() > count && !but(incomplete_one).empty()) candidates = but(incomplete_one);
-      }
-    }
+    // Where all came back there is nothing to choose.
+    if (same_part && candidates.size() > unpaired[keys[e]])
+      std::erase_if(candidates, [&](Index b) {
+        return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
+      });
     if (candidates.empty()) return;
     const Index found = *std::min_element(candidates.begin(), candidates.end());
     --unpaired[keys[e]];
@@ -244,7 +223,7 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     for (std::size_t e = 0; e < elements_after.size(); ++e)
       if (corners_of(elements_after[e]).first != 0) pair(e, {&whole}, same_part);
     for (std::size_t e = 0; e < elements_after.size(); ++e)
-      if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners, &incomplete}, same_part);
+      if (corners_of(elements_after[e]).first == 0) pair(e, {&whole, &by_corners}, same_part);
   }
   return pairs;
 }

@@ -31,9 +31,9 @@ struct Pairing {
   std::vector<Index> cut_after;   ///< of each element of `before` the first of its triangles
 };
 
-/// What a format of which nothing else is known can hold of elements: any, or triangles between nodes that
-/// exist, and so no others but those and what is cut into them.
-enum class Holding { elements, triangles };
+/// What a format, of which nothing else is known, has place for: any elements, those of nodes that exist, or
+/// triangles of nodes that exist and so no others but what is cut into them.
+enum class Holding { elements, elements_of_nodes, triangles };
 
 /// Pairs nodes by the 32-bit value of their x, and elements by their type and nodes, or by their corners
 /// where those of a higher order lost what stands between. Elements alike are paired in their order. If
