@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "io/document.hpp"
@@ -11,6 +12,13 @@
 namespace tetproof::io {
 
 enum class Of { node, element, element_node };  ///< what values belong to
+
+/// What is there of values of which a format holds the numbers alone.
+struct HeldNumbers {
+  std::string name;           ///< that they have in the file
+  std::size_t gaps = 0;       ///< nodes or elements in the file that had none, and have NaN or 0 there
+  std::size_t first_gap = 0;  ///< the position of the first in the document
+};
 
 /// What comes back unchanged when a document is written and read again. It is asked per document, since what
 /// a format holds may depend on it: 32-bit numbers, elements that all are of second order.
@@ -56,6 +64,9 @@ struct Holds {
   /// the reader gives them back. All alike: any order of blocks is held.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };
   std::function<bool(const Values&, Of)> values = [](const Values&, Of) { return false; };
+  /// Of values that are not held: whether all their numbers are there nevertheless, if not their labels and
+  /// times. Not set: never.
+  std::function<std::optional<HeldNumbers>(const Values&, Of)> numbers;
   /// Where it depends on the block, the name or the table, whether its groups or it come back; not set: as
   /// `groups`, `group_names` and `tables` say.
   std::function<bool(const ElementBlock&)> groups_of;
@@ -63,6 +74,10 @@ struct Holds {
   std::function<bool(const Table&)> table;
   std::function<bool(const Section&)> section = [](const Section&) { return false; };
 };
+
+/// Whether values have a time, step, partition or scheme; without them nothing depends on whether they are of
+/// a view.
+bool has_step(const Values& values);
 
 /// What the format of a file to be written holds of `document`.
 Holds holds_of(const std::string& path, const Document& document, const WriteOptions& options);

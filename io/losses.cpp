@@ -2,6 +2,8 @@
 #include "io/losses.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "io/loss_finder.hpp"
 
@@ -26,12 +28,34 @@ class OtherLosses : io::LossFinder {
 
  private:
   void values(const std::vector<Values>& all, Of of, const char* whose) {
-    for (const Values& values : all)
-      if (!holds_.values(values, of))
+    for (const Values& values : all) {
+      if (holds_.values(values, of)) continue;
+      if (const auto held = holds_.numbers ? holds_.numbers(values, of) : std::nullopt)
+        all_but_numbers(values, *held, of, whose);
+      else
         add(fmt::format("values \"{}\" of {}", values.name, whose), std::max<std::size_t>(values.size(), 1),
             !values.reals.empty()      ? fmt::format("{}", values.reals[0])
             : !values.integers.empty() ? fmt::format("{}", values.integers[0])
                                        : "");
+    }
+  }
+
+  void all_but_numbers(const Values& values, const io::HeldNumbers& held, Of of, const char* whose) {
+    const std::string name = fmt::format("\"{}\"", values.name);
+    if (held.name != values.name)
+      add(fmt::format("names of values of {}", whose), 1, fmt::format("{} becomes \"{}\"", name, held.name));
+    if (held.gaps > 0)
+      add(fmt::format("gaps in values of {}", whose), held.gaps,
+          fmt::format(
+              "{} {} has no {}", of == Of::node ? "node" : "element",
+              of == Of::node ? document_.node_tag(held.first_gap) : document_.element_tag(held.first_gap),
+              name));
+    if (!values.labels.empty())
+      add(fmt::format("labels of values of {}", whose), 1,
+          fmt::format("{} labels of {}", values.labels.size(), name));
+    if (io::has_step(values))
+      add(fmt::format("times and steps of values of {}", whose), 1,
+          fmt::format("{} of time {}, step {}", name, values.time, values.step));
   }
 
   // What TetGen's .poly says of the body to mesh.
@@ -81,6 +105,11 @@ class OtherLosses : io::LossFinder {
 };
 
 }  // namespace
+
+bool io::has_step(const Values& values) {
+  return values.time != 0 || std::signbit(values.time) || values.step != 0 || values.partition != 0 ||
+         !values.interpolation.empty();
+}
 
 std::vector<Loss> io::unheld(const Document& document, const Holds& holds) {
   const WrittenPart written(document, holds);

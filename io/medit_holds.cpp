@@ -64,8 +64,7 @@ Holds medit_holds(const Document& document, bool binary) {
     return static_cast<int>(std::find(all.begin(), all.end(), medit_place(block).keyword) - all.begin());
   };
   holds.values = [&document, binary](const Values& values, Of of) {
-    if (of == Of::element_node || values.of_view || !values.labels.empty() || !values.nodes.empty() ||
-        values.time != 0 || values.step != 0 || values.partition != 0 || !values.interpolation.empty())
+    if (of == Of::element_node || !values.labels.empty() || !values.nodes.empty() || has_step(values))
       return false;
     const auto any = [](const Values&) { return true; };
     if (!is_first_of_name(of == Of::node ? document.node_values : document.element_values, values, any))

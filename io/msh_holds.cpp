@@ -94,9 +94,7 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
   holds.values = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
     if (!values.integers.empty() || !values.labels.empty() || values.components < 1) return false;
     if (!is_quotable(values.name) || !is_quotable(values.interpolation)) return false;
-    if (!values.of_view && (values.time != 0 || std::signbit(values.time) || values.step != 0 ||
-                            values.partition != 0 || !values.interpolation.empty()))
-      return false;
+    if (!values.of_view && has_step(values)) return false;
     if (!(of == Of::node ? nodes_differ : elements_differ)) return false;
     if ((of == Of::element_node) == values.nodes.empty() && values.size() > 0) return false;
     std::size_t size = of == Of::element_node ? 0 : values.items();

@@ -58,8 +58,7 @@ struct CornerRows {
 bool of_corners(const Document& document, const Values& values) {
   const std::size_t elements = document.elements();
   if (values.nodes.empty() || values.components < 1 || values.reals.empty() || !values.integers.empty() ||
-      !values.labels.empty() || values.first != 0 || values.of_view || values.time != 0 || values.step != 0 ||
-      values.partition != 0 || !values.interpolation.empty())
+      !values.labels.empty() || values.first != 0 || has_step(values))
     return false;
   if (values.at.empty() ? values.nodes.size() != elements
                         : values.nodes.size() != values.at.size() || values.at.size() >= elements)

@@ -70,8 +70,7 @@ bool keeps_all_elements(const Document& document, const std::function<int(const 
 
 bool plain_numbers(const Values& values, std::size_t items) {
   return values.components > 0 && items > 0 && values.labels.empty() && values.nodes.empty() &&
-         !values.of_view && values.time == 0 && values.step == 0 && values.partition == 0 &&
-         values.interpolation.empty() && values.reals.empty() != values.integers.empty() &&
+         !has_step(values) && values.reals.empty() != values.integers.empty() &&
          values.size() == items * static_cast<std::size_t>(values.components);
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "io/element_types.hpp"
@@ -22,31 +24,43 @@ bool covers(const Values& values, std::size_t items) {
          values.size() == items * static_cast<std::size_t>(values.components);
 }
 
-// Whether each element that is written has one value.
-bool covers_cells(const Document& document, const Values& values) {
-  const std::size_t items = document.elements();
-  if (covers(values, items)) return true;
+bool is_written(const Document& document, const ElementBlock& block, std::size_t e) {
+  const Index* node =
+      document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
+  return vtk_cell(block).nodes > 0 &&
+         std::none_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
+}
+
+// What is there of values of nodes or elements, if each has one value at most and what is written any.
+std::optional<HeldNumbers> held_numbers(const Document& document, const Values& values, bool of_nodes) {
+  const std::size_t items = of_nodes ? document.points.size() : document.elements();
+  if (covers(values, items)) return HeldNumbers{};
   if (!values.nodes.empty() || values.components < 1 ||
       values.size() != values.items() * static_cast<std::size_t>(values.components))
-    return false;
-  std::vector<int> given(items);
+    return std::nullopt;
+  std::vector<bool> given(items);
   for (std::size_t k = 0; k < values.items(); ++k) {
     const std::int64_t at =
         values.at.empty() ? static_cast<std::int64_t>(values.first + k) : std::int64_t{values.at[k]};
-    if (at < 0 || at >= static_cast<std::int64_t>(items)) return false;
-    ++given[static_cast<std::size_t>(at)];
+    if (at < 0 || at >= static_cast<std::int64_t>(items) || given[static_cast<std::size_t>(at)])
+      return std::nullopt;
+    given[static_cast<std::size_t>(at)] = true;
   }
+  HeldNumbers held;
   bool any = false;
-  for (const ElementBlock& block : document.blocks) {
-    if (vtk_cell(block).nodes == 0) continue;
-    const Index* node = document.connectivity.data() + block.nodes;
-    for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each) {
-      if (std::any_of(node, node + block.nodes_each, [](Index i) { return i < 0; })) continue;
-      if (given[block.first + e] != 1) return false;
+  const auto look_at = [&](std::size_t item) {
+    if (given[item])
       any = true;
-    }
-  }
-  return any;
+    else if (held.gaps++ == 0)
+      held.first_gap = item;
+  };
+  if (of_nodes)
+    for (std::size_t i = 0; i < items; ++i) look_at(i);
+  else
+    for (const ElementBlock& block : document.blocks)
+      for (std::size_t e = 0; e < block.count; ++e)
+        if (is_written(document, block, e)) look_at(block.first + e);
+  return any ? std::optional(held) : std::nullopt;
 }
 
 std::string group_array(std::size_t k) {
@@ -140,8 +154,8 @@ class Maker {
                              : node_order(gmsh_type_of_cell(cell.type, static_cast<std::size_t>(cell.nodes)),
                                           NodeOrder::vtk);
       for (std::size_t e = 0; e < block.count; ++e) {
+        if (!is_written(document_, block, e)) continue;
         const Index* nodes = document_.connectivity.data() + block.nodes + e * block.nodes_each;
-        if (std::any_of(nodes, nodes + block.nodes_each, [](Index i) { return i < 0; })) continue;
         mesh_.elements.push_back(block.first + e);
         mesh_.types.push_back(static_cast<unsigned char>(cell.type));
         for (int k = 0; k < cell.nodes; ++k)
@@ -251,17 +265,19 @@ Holds vtk_holds_common(const Document& document) {
   };
   holds.nodes_each = [](const ElementBlock& block) { return vtk_cell(block).nodes; };
 
-  std::set<const Values*> own_name;  // those that no other one has taken, nor we
+  std::map<const Values*, std::string> names;
   Names node_names, cell_names;
-  for (const Values& values : document.node_values)
-    if (node_names(values.name) == values.name) own_name.insert(&values);
-  for (const Values& values : document.element_values)
-    if (cell_names(values.name, true) == values.name) own_name.insert(&values);
-  holds.values = [own_name, &document](const Values& values, Of of) {
-    return of != Of::element_node &&
-           (of == Of::node ? covers(values, document.points.size()) : covers_cells(document, values)) &&
-           values.labels.empty() && !values.of_view && values.time == 0 && values.step == 0 &&
-           values.partition == 0 && values.interpolation.empty() && own_name.contains(&values);
+  for (const Values& values : document.node_values) names[&values] = node_names(values.name);
+  for (const Values& values : document.element_values) names[&values] = cell_names(values.name, true);
+  holds.numbers = [names, &document](const Values& values, Of of) -> std::optional<HeldNumbers> {
+    if (of == Of::element_node) return std::nullopt;
+    std::optional<HeldNumbers> held = held_numbers(document, values, of == Of::node);
+    if (held) held->name = names.at(&values);
+    return held;
+  };
+  holds.values = [numbers = holds.numbers](const Values& values, Of of) {
+    const auto held = numbers(values, of);
+    return held && held->gaps == 0 && held->name == values.name && values.labels.empty() && !has_step(values);
   };
   std::set<const Table*> tables;
   each_field(document, [&](const Table& table, const Column& column, const std::string& name) {

@@ -158,6 +158,9 @@ Holds vtu_holds(const Document& document, bool) {
   holds.values = [common = holds.values](const Values& values, Of of) {
     return common(values, of) && is_xml_text(values.name);
   };
+  holds.numbers = [common = holds.numbers](const Values& values, Of of) {
+    return is_xml_text(values.name) ? common(values, of) : std::nullopt;
+  };
   holds.table = [common = holds.table](const Table& table) {
     return common(table) && is_xml_text(table.name) && are_writable(table.columns[0].texts);
   };

@@ -31,11 +31,12 @@ std::string reals(const std::vector<double>& all) {
 
 // Item by item in the order of the names, so that the order in the file does not count.
 Text text_of(const Values& values, const char* whose, const Names& name) {
+  const std::string kind = values.integers.empty() ? "real" : "integer",
+                    labels = joined(values.labels, quoted),
+                    step = fmt::format("time {} step {} partition {} scheme {}", bits(values.time),
+                                       values.step, values.partition, quoted(values.interpolation));
   Text text{
-      fmt::format("{} x{}{} labels{} view{} time {} step {} partition {} scheme {}\n", quoted(values.name),
-                  values.components, values.integers.empty() ? " real" : " integer",
-                  joined(values.labels, quoted), values.of_view, bits(values.time), values.step,
-                  values.partition, quoted(values.interpolation)),
+      fmt::format("{} x{} {} labels{} {}\n", quoted(values.name), values.components, kind, labels, step),
       static_cast<std::int64_t>(std::max<std::size_t>(values.size(), 1)),
       fmt::format("values \"{}\" of {}", values.name, whose)};
   std::vector<std::string> items;
@@ -62,6 +63,7 @@ Text text_of(const Values& values, const char* whose, const Names& name) {
     text.lines.push_back(std::move(line));
   }
   text.name = values.name, text.components = values.components;
+  text.kind = kind, text.labels = labels, text.step = step;
   text.gone = items.empty() && values.items() > 0;
   std::stable_sort(items.begin(), items.end());
   for (const std::string& item : items) text.text += item + "\n";

@@ -22,8 +22,9 @@ struct Text {
     std::string of, content;
     bool empty = false;  ///< of values: nothing but NaN or 0
   };
-  std::string name{}, subject{};  ///< `subject`: as the example of a loss names it
-  int components = 0;             ///< of values
+  std::string name{}, subject{};         ///< `subject`: as the example of a loss names it
+  int components = 0;                    ///< of values
+  std::string kind{}, labels{}, step{};  ///< of values: real or integer, and what is not numbers
   std::vector<Line> lines{};
 };
 

@@ -245,6 +245,23 @@ class Comparison {
       is.erase(found);
       return true;
     });
+    std::erase_if(was, [&](const Text& text) {
+      const auto found =
+          std::find_if(is.begin(), is.end(), [&](const Text& t) { return gaps(text, t).has_value(); });
+      if (found == is.end()) return false;
+      const std::string whose = text.item.substr(text.item.rfind('"') + 2);
+      if (text.name != found->name)
+        add_one("names of values " + whose, fmt::format("\"{}\" becomes \"{}\"", text.name, found->name));
+      if (text.labels != found->labels)
+        add_one("labels of values " + whose, fmt::format("labels of \"{}\"", text.name));
+      if (text.step != found->step)
+        add_one("times and steps of values " + whose, fmt::format("\"{}\" of time", text.name));
+      if (const std::size_t count = gaps(text, *found)->size(); count > 0)
+        add("gaps in values " + whose, static_cast<std::int64_t>(count), text.text, false,
+            fmt::format("has no \"{}\"", text.name));
+      is.erase(found);
+      return true;
+    });
     for (const Text& text : was) {
       add(text.item, text.count, text.text, text.gone, text.subject);
       for (auto t = is.begin(); t != is.end();) {

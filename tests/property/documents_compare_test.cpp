@@ -95,7 +95,9 @@ TEST(DocumentsCompare, KnowsRemnants) {
   is.title = "a long";
   is.node_values = {{.name = "v_w #2", .integers = {2, 0, 1}}};
   is.tables = {{.name = "t.r", .rows = 1, .columns = {{.name = "t.r", .type = "double", .reals = {1}}}}};
-  EXPECT_EQ(text_of(differences(was, is)), "values \"v w\" of nodes 2; table \"t\" 1; title 1; ");
+  EXPECT_EQ(text_of(differences(was, is)),
+            "names of values of nodes 1; labels of values of nodes 1; gaps in values of nodes 1; "
+            "table \"t\" 1; title 1; ");
   is.title = "longer";
   is.node_values[0].integers = {2, 3, 1};  // the second one had none
   is.tables[0].columns[0].reals[0] = 2;
@@ -105,7 +107,8 @@ TEST(DocumentsCompare, KnowsRemnants) {
   is.node_values = {{.name = "v w", .integers = {2, 0, 1}}, {.name = "v w #2", .integers = {2, 0, 1}}};
   is.tables.clear(), is.title.clear();
   EXPECT_EQ(text_of(differences(was, is)),
-            "values \"v w\" of nodes 2; gained values \"v w #2\" of nodes 3; table \"t\" 1; title 1; ");
+            "labels of values of nodes 1; gaps in values of nodes 1; gained values \"v w #2\" of nodes 3; "
+            "table \"t\" 1; title 1; ");
 }
 
 // Two tetrahedra and a line, written down.

@@ -2,6 +2,7 @@
 #include "remnants.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace tetproof::test {
 namespace {
@@ -57,6 +58,30 @@ bool is_remnant(const Text& was, const Text& is) {
   if (is.item == "title") return plain(was.name).starts_with(plain(is.name));
   if (is.item.starts_with("values ")) return values(was, is);
   return is.item.starts_with("table ") && columns(was, is);
+}
+
+std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
+  if (!was.item.starts_with("values ") || kind_of(was) != kind_of(is) || was.gone ||
+      was.components != is.components || was.kind != is.kind || !same_name(was.name, is.name))
+    return std::nullopt;
+  std::multimap<std::string, const Text::Line*> left;
+  for (const Text::Line& line : is.lines) left.emplace(line.of, &line);
+  for (const Text::Line& line : was.lines) {
+    const auto [from, to] = left.equal_range(line.of);
+    const auto found =
+        std::find_if(from, to, [&](const auto& other) { return other.second->content == line.content; });
+    if (found == to) return std::nullopt;
+    left.erase(found);
+  }
+  if (was.lines.empty() && !left.empty()) return std::nullopt;  // there were no values
+  std::vector<std::string> gaps;
+  for (const auto& [of, line] : left) {
+    const bool known =
+        std::any_of(was.lines.begin(), was.lines.end(), [&](const Text::Line& old) { return old.of == of; });
+    if (known || !line->empty) return std::nullopt;
+    gaps.push_back(of);
+  }
+  return gaps;
 }
 
 bool comes_in_pieces(const Text& was) {

@@ -2,6 +2,7 @@
 // Files as they are written, and what the formats cannot hold, against text written by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -203,6 +204,43 @@ TEST(Losses, NoneForAPlainMesh) {
   const TriangleSurface triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}};
   for (const char* file : {"a.msh", "a.vtu", "a.stl", "a.off", "a.obj", "a.ply"})
     EXPECT_TRUE(losses(file, document_of(triangle)).empty()) << file;
+}
+
+// A view of Gmsh's at two times, and one of an element alone.
+TEST(Losses, OfValuesWhoseNumbersAreThere) {
+  const test::TestFiles files;
+  const std::string data = "1\n\"heat\"\n1\n", two = "3\n0\n1\n2\n8 0.5\n9 1.5\n$EndNodeData\n";
+  const Document document = read_document(
+      files.write("a.msh",
+                  "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n8 0 0 0\n9 1 0 0\n$EndNodes\n"
+                  "$Elements\n2\n3 1 2 0 1 8 9\n4 1 2 0 1 9 8\n$EndElements\n"
+                  "$NodeData\n" +
+                      data + "0\n" + two + "$NodeData\n" + data + "2.5\n" + two +
+                      "$ElementData\n1\n\"\"\n1\n0\n3\n7\n1\n1\n3 6\n$EndElementData\n"));
+  const auto listed = [&](const std::string& file) {
+    std::vector<std::string> items;
+    for (const Loss& loss : losses(file, document))
+      if (!loss.item.starts_with("numbers"))
+        items.push_back(fmt::format("{}: {} ({})", loss.item, loss.count, loss.example));
+    return items;
+  };
+  const std::vector<std::string> expected{
+      "names of values of nodes: 1 (\"heat\" becomes \"heat #2\")",
+      "times and steps of values of nodes: 1 (\"heat\" of time 2.5, step 0)",
+      "names of values of elements: 1 (\"\" becomes \"values\")",
+      "gaps in values of elements: 1 (element 4 has no \"\")",
+      "times and steps of values of elements: 1 (\"\" of time 0, step 7)"};
+  EXPECT_EQ(listed("a.vtu"), expected);
+  EXPECT_EQ(listed("a.vtk"), expected);
+  write_document(files.path("a.vtu"), document);
+  const Document back = read_document(files.path("a.vtu"));
+  ASSERT_EQ(back.node_values.size(), 2u);
+  EXPECT_EQ(back.node_values[1].name, "heat #2");
+  EXPECT_EQ(back.node_values[1].reals, (std::vector{0.5, 1.5}));
+  ASSERT_EQ(back.element_values.size(), 1u);
+  ASSERT_EQ(back.element_values[0].reals.size(), 2u);
+  EXPECT_EQ(back.element_values[0].reals[0], 6);
+  EXPECT_TRUE(std::isnan(back.element_values[0].reals[1]));
 }
 
 // In 4.1 an element's groups and partitions are its entity's: one entity in two groups becomes two.
