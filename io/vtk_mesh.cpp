@@ -12,6 +12,7 @@
 
 #include "io/element_types.hpp"
 #include "io/second_order.hpp"
+#include "io/surface_document.hpp"
 #include "io/vtk_cells.hpp"
 
 namespace tetproof::io {
@@ -22,13 +23,6 @@ bool covers(const Values& values, std::size_t items) {
     if (values.at[k] != static_cast<Index>(k)) return false;
   return values.nodes.empty() && values.first == 0 && values.components > 0 &&
          values.size() == items * static_cast<std::size_t>(values.components);
-}
-
-bool is_written(const Document& document, const ElementBlock& block, std::size_t e) {
-  const Index* node =
-      document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
-  return vtk_cell(block).nodes > 0 &&
-         std::none_of(node, node + block.nodes_each, [](Index i) { return i < 0; });
 }
 
 // What is there of values of nodes or elements, if each has one value at most and what is written any.
@@ -57,9 +51,12 @@ std::optional<HeldNumbers> held_numbers(const Document& document, const Values& 
   if (of_nodes)
     for (std::size_t i = 0; i < items; ++i) look_at(i);
   else
-    for (const ElementBlock& block : document.blocks)
-      for (std::size_t e = 0; e < block.count; ++e)
-        if (is_written(document, block, e)) look_at(block.first + e);
+    for (const ElementBlock& block : document.blocks) {
+      if (vtk_cell(block).nodes == 0) continue;
+      const Index* node = document.connectivity.data() + block.nodes;
+      for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
+        if (nodes_exist(node, block.nodes_each)) look_at(block.first + e);
+    }
   return any ? std::optional(held) : std::nullopt;
 }
 
@@ -154,8 +151,8 @@ class Maker {
                              : node_order(gmsh_type_of_cell(cell.type, static_cast<std::size_t>(cell.nodes)),
                                           NodeOrder::vtk);
       for (std::size_t e = 0; e < block.count; ++e) {
-        if (!is_written(document_, block, e)) continue;
         const Index* nodes = document_.connectivity.data() + block.nodes + e * block.nodes_each;
+        if (!nodes_exist(nodes, block.nodes_each)) continue;
         mesh_.elements.push_back(block.first + e);
         mesh_.types.push_back(static_cast<unsigned char>(cell.type));
         for (int k = 0; k < cell.nodes; ++k)
