@@ -407,7 +407,7 @@ KNOWN_WRITTEN = {
                                   counts_from_1(text, b"ElementData"))),
         ("msh41", "Couldn't read file", "it wants numbers 1, 2, ... in binary",
          lambda kinds, text: not (counts_from_1(text, b"NodeData") and counts_from_1(text, b"ElementData"))),
-        ("vtk|vtu", "KeyError: 'pyramid13'", "it knows no such pyramids", lambda kinds, text: 19 in kinds),
+        ("vtk|vtu|msh41|msh22", "KeyError: 'pyramid13'", "it knows no such pyramids", lambda kinds, text: 19 in kinds),
         ("medit", "Gmf[A-Za-z]*[PQ]2|Couldn't read file", "it knows no second order of Medit's",
          lambda kinds, text: kinds & SECOND_ORDER),
         ("tetgen", "Couldn't read file", "it takes no second order from TetGen", lambda kinds, text: 11 in kinds),
