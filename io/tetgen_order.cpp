@@ -62,13 +62,13 @@ std::vector<TetgenRun> runs_of(const TetgenElements& elements, const Document& d
 
 }  // namespace
 
-bool nodes_of_turned(const Document& document, const std::vector<TetgenRun>& tets) {
+bool are_turned(const Document& document, const std::vector<TetgenRun>& tets) {
   return all_and_any(tets, 10,
                      [&](const Index* tet) { return !is_usual(document, tet) && is_turned(document, tet); });
 }
 
-bool nodes_opposite_corners(const Document& document, const std::vector<TetgenRun>& faces,
-                            const std::vector<TetgenRun>& tets) {
+bool have_nodes_opposite_corners(const Document& document, const std::vector<TetgenRun>& faces,
+                                 const std::vector<TetgenRun>& tets) {
   std::vector<std::array<Index, 2>> edge_of;  // not before the first face asks
   const auto between = [&](Index a, Index b, Index m) {
     if (tets.empty()) return in_the_middle(document, a, b, m);
@@ -89,7 +89,7 @@ bool nodes_opposite_corners(const Document& document, const std::vector<TetgenRu
 }
 
 void order_tetrahedra_nodes(const TetgenElements& tets, Document& document) {
-  if (tets.nodes_each != 10 || !nodes_of_turned(document, runs_of(tets, document))) return;
+  if (tets.nodes_each != 10 || !are_turned(document, runs_of(tets, document))) return;
   Index* const all = document.connectivity.data() + tets.nodes;
   for (std::size_t t = 0; t < tets.count; ++t) {
     Index* const tet = all + 10 * t;
@@ -102,7 +102,7 @@ void order_face_nodes(const TetgenElements& faces, const TetgenElements& tets, D
   if (faces.nodes_each != 6) return;
   std::vector<TetgenRun> of_second_order;
   if (tets.nodes_each == 10 && tets.count > 0) of_second_order = runs_of(tets, document);
-  if (!nodes_opposite_corners(document, runs_of(faces, document), of_second_order)) return;
+  if (!have_nodes_opposite_corners(document, runs_of(faces, document), of_second_order)) return;
   Index* const all = document.connectivity.data() + faces.nodes;
   for (std::size_t f = 0; f < faces.count; ++f) {
     Index* const face = all + 6 * f;

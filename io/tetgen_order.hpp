@@ -19,12 +19,12 @@ struct TetgenRun {
 
 /// With its switch for the opposite orientation TetGen exchanges corners 0 and 1, but nothing between
 /// corners: whether all tetrahedra, and there are any, prove to be like that.
-bool nodes_of_turned(const Document&, const std::vector<TetgenRun>& tets);
+bool are_turned(const Document&, const std::vector<TetgenRun>& tets);
 /// With -f TetGen 1.5 lists the node opposite to each corner of a face, without it the node behind each
 /// corner: whether all faces, and there are any, prove to be like the first. `tets`: of second order, if
 /// there are any.
-bool nodes_opposite_corners(const Document&, const std::vector<TetgenRun>& faces,
-                            const std::vector<TetgenRun>& tets);
+bool have_nodes_opposite_corners(const Document&, const std::vector<TetgenRun>& faces,
+                                 const std::vector<TetgenRun>& tets);
 
 /// Puts the nodes of a file that was read into the usual order.
 void order_tetrahedra_nodes(const TetgenElements&, Document&);

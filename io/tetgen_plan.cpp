@@ -184,12 +184,12 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
   // TetGen expects faces and edges to be of second order where the tetrahedra are, and nowhere else. Nodes
   // between corners that a reader would take for those of another order are not written.
   const std::vector<TetgenRun> tets = runs_of(document, plan.tets), faces = runs_of(document, plan.faces);
-  plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) && !nodes_of_turned(document, tets) ? 10 : 4;
+  plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) && !are_turned(document, tets) ? 10 : 4;
   const bool second_order = plan.tets.nodes_each == 10;
-  plan.faces.nodes_each =
-      second_order && all_of_type(plan.faces, triangle6) && !nodes_opposite_corners(document, faces, tets)
-          ? 6
-          : 3;
+  plan.faces.nodes_each = second_order && all_of_type(plan.faces, triangle6) &&
+                                  !have_nodes_opposite_corners(document, faces, tets)
+                              ? 6
+                              : 3;
   plan.edges.nodes_each = second_order && all_of_type(plan.edges, line3) ? 3 : 2;
   plan.renumber_elements = !counts_up(document, plan.base, {&plan.tets, &plan.faces, &plan.edges});
 

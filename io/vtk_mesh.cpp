@@ -28,7 +28,7 @@ bool covers(const Values& values, std::size_t items) {
 // What is there of values of nodes or elements, if each has one value at most and what is written any.
 std::optional<HeldNumbers> held_numbers(const Document& document, const Values& values, bool of_nodes) {
   const std::size_t items = of_nodes ? document.points.size() : document.elements();
-  if (covers(values, items)) return HeldNumbers{};
+  if (covers(values, items) && (of_nodes || items == 0)) return HeldNumbers{};
   if (!values.nodes.empty() || values.components < 1 ||
       values.size() != values.items() * static_cast<std::size_t>(values.components))
     return std::nullopt;

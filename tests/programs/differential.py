@@ -341,6 +341,7 @@ def compare_written(peer, read, ours, arguments, failures):
             if mesh is None:
                 print("not read again by us: %s: %s" % (what, refusal))
                 mesh, _ = ours.read(source, rounded)
+            kinds = {kind for kind, _, _ in mesh.elements}
             mesh.keep(ONLY.get((peer, format_)))
             # An element in several groups stands there once for each, which we know for one, and meshio for several.
             merge = format_ == "msh22"
@@ -353,7 +354,6 @@ def compare_written(peer, read, ours, arguments, failures):
                     wrong += " it says: " + said[:200]
             except ValueError as error:
                 wrong = str(error)
-            kinds = {kind for kind, _, _ in mesh.elements}
             known = wrong and known_of_written(peer, format_, kinds, wrong, target.read_bytes())
             if known:
                 print("known: %s: %s (%s)" % (what, wrong, known))
@@ -365,8 +365,9 @@ def compare_written(peer, read, ours, arguments, failures):
 
 
 # What a peer reads of a format, by the types of elements.
-SURFACE, SOLID = {2, 3, 9, 16, 34}, {4, 5, 6, 7, 11}
-ONLY = {("meshio", "obj"): SURFACE, ("meshio", "tetgen"): SOLID, ("meshio", "node"): SOLID, ("vtk", "obj"): SURFACE | {1, 15},
+SURFACE, SOLID, FIRST_ORDER = {2, 3, 9, 16, 34}, {4, 5, 6, 7, 11}, {1, 2, 3, 4, 5, 6, 7, 15}
+ONLY = {("meshio", "obj"): SURFACE, ("meshio", "tetgen"): SOLID, ("meshio", "medit"): FIRST_ORDER,
+        ("meshio", "node"): SOLID, ("vtk", "obj"): SURFACE | {1, 15},
         ("vtk", "ply"): SURFACE}
 
 # Of what we write, in the peers' own words, with what must be so of the file that they say them of.
@@ -408,13 +409,13 @@ KNOWN_WRITTEN = {
         ("msh41", "Couldn't read file", "it wants numbers 1, 2, ... in binary",
          lambda kinds, text: not (counts_from_1(text, b"NodeData") and counts_from_1(text, b"ElementData"))),
         ("vtk|vtu|msh41|msh22", "KeyError: 'pyramid13'", "it knows no such pyramids", lambda kinds, text: 19 in kinds),
-        ("medit", "Gmf[A-Za-z]*[PQ]2|Couldn't read file", "it knows no second order of Medit's",
+        ("medit", "^ it says: Warning: meshio doesn't know Gmf[A-Za-z]*[PQ]2|Couldn't read file", "it knows no second order of Medit's",
          lambda kinds, text: kinds & SECOND_ORDER),
         ("tetgen", "Couldn't read file", "it takes no second order from TetGen", lambda kinds, text: 11 in kinds),
-        ("off", "", "it takes no faces but triangles",
+        ("off", "Can only read triangular faces", "it takes no faces but triangles",
          lambda kinds, text: any(line[:2] != b"3 " for line in text.split(b"\n")
                                  if line.count(b" ") != 2 and line[:1].isdigit())),
-        ("ply", "", "it takes no elements but vertices and faces", lambda kinds, text: b"element edge" in text),
+        ("ply", "Expected `element vertex`", "it takes no elements but vertices and faces", lambda kinds, text: b"element edge" in text),
         ("ply", "no field of name", "its reader of text drops characters of names", None),
     ],
     "vtk": [

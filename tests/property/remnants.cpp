@@ -74,14 +74,14 @@ std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
     left.erase(found);
   }
   if (was.lines.empty() && !left.empty()) return std::nullopt;  // there were no values
-  std::vector<std::string> gaps;
+  std::vector<std::string> without;
   for (const auto& [of, line] : left) {
     const bool known =
         std::any_of(was.lines.begin(), was.lines.end(), [&](const Text::Line& old) { return old.of == of; });
     if (known || !line->empty) return std::nullopt;
-    gaps.push_back(of);
+    without.push_back(of);
   }
-  return gaps;
+  return without;
 }
 
 bool comes_in_pieces(const Text& was) {
