@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
-#include "corpus/generators.hpp"
+#include "corpus/generators/generators.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/surface_files.hpp"
-#include "io/weld.hpp"
+#include "io/model/weld.hpp"
 
 namespace tetproof::corpus {
 namespace {

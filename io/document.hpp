@@ -16,7 +16,7 @@ namespace tetproof {
 /// A run of elements of one type in one entity. The elements of a document stand block after block, in the
 /// file's order.
 struct ElementBlock {
-  int type = 4;                 ///< Gmsh's number of the element type, see io/element_types.hpp
+  int type = 4;                 ///< Gmsh's number of the element type, see io/model/element_types.hpp
   int dim = 3;                  ///< dimension of the entity
   std::int64_t entity = 0;      ///< tag of the entity; 0: none
   std::int32_t groups = 0;      ///< physical groups: position in `Document::tag_sets`
@@ -202,7 +202,7 @@ struct Document {
   std::vector<GhostElement> ghost_elements;
   std::vector<PeriodicLink> periodic;
 
-  // TetGen's are called "attributes" and "markers", and what io/tetgen.hpp says.
+  // TetGen's are called "attributes" and "markers", and what io/tetgen/tetgen.hpp says.
   std::vector<Values> node_values, element_values, element_node_values;
 
   std::vector<Facet> facets;  ///< those of more than one polygon, or with holes

@@ -7,19 +7,19 @@
 #include <bit>
 #include <cstdint>
 
-#include "io/atomic_file.hpp"
-#include "io/byte_order.hpp"
-#include "io/document_surface.hpp"
+#include "io/bytes/atomic_file.hpp"
+#include "io/bytes/byte_order.hpp"
+#include "io/surface/document_surface.hpp"
 #include "io/error.hpp"
-#include "io/input_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/mesh_files.hpp"
-#include "io/obj.hpp"
-#include "io/off.hpp"
-#include "io/ply.hpp"
-#include "io/polygons.hpp"
-#include "io/stl.hpp"
-#include "io/tetgen.hpp"
-#include "io/tokens.hpp"
+#include "io/obj/obj.hpp"
+#include "io/off/off.hpp"
+#include "io/ply/ply.hpp"
+#include "io/surface/polygons.hpp"
+#include "io/stl/stl.hpp"
+#include "io/tetgen/tetgen.hpp"
+#include "io/bytes/tokens.hpp"
 
 namespace tetproof {
 namespace {

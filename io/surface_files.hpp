@@ -14,7 +14,7 @@ namespace tetproof {
 ///
 /// Vertices are welded by exact equality whatever the format (-0 equals 0; NaN equals nothing) and numbered
 /// in the order of their first occurrence. Polygons become fans of triangles if they are planar and convex
-/// (io/polygons.hpp has the rule). Degenerate triangles, and vertices that no triangle uses, are kept:
+/// (io/surface/polygons.hpp has the rule). Degenerate triangles, and vertices that no triangle uses, are kept:
 /// `verify/surface.hpp` judges. Throws InputError with file, line or byte, what was expected and what was
 /// found.
 TriangleSurface read_surface(const std::string& path);

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "io/error.hpp"
-#include "reference/contacts.hpp"
-#include "reference/exact.hpp"
-#include "reference/inside.hpp"
-#include "reference/intersections.hpp"
-#include "reference/mend.hpp"
-#include "reference/trace_records.hpp"
+#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/exact.hpp"
+#include "reference/engine/first_grid/inside.hpp"
+#include "reference/engine/first_grid/intersections.hpp"
+#include "reference/engine/first_grid/mend.hpp"
+#include "reference/trace/trace_records.hpp"
 
 namespace tetproof::reference {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "io/triangle_surface.hpp"
-#include "reference/adapt.hpp"
-#include "reference/extract.hpp"
-#include "reference/follow.hpp"
+#include "reference/engine/adaptation/adapt.hpp"
+#include "reference/engine/first_grid/extract.hpp"
+#include "reference/follow/follow.hpp"
 
 namespace tetproof::reference {
 

@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "io/error.hpp"
-#include "verify/check_surface.hpp"
-#include "verify/judgement.hpp"
-#include "verify/mesh_volumes.hpp"
-#include "verify/quality.hpp"
-#include "verify/regions.hpp"
-#include "verify/surface_judgement.hpp"
+#include "verify/checks/check_surface.hpp"
+#include "verify/checks/judgement.hpp"
+#include "verify/mesh/mesh_volumes.hpp"
+#include "verify/mesh/quality.hpp"
+#include "verify/mesh/regions.hpp"
+#include "verify/checks/surface_judgement.hpp"
 
 namespace tetproof::verify {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "corpus/block_mesh.hpp"
 #include "corpus/plant.hpp"
-#include "corpus/random.hpp"
+#include "corpus/generators/random.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "score.hpp"

@@ -1,7 +1,7 @@
 # Every installed header compiles on its own, and none brings in another project's headers but Eigen's; GoogleTest's
 # only <tetproof/verify/gtest.hpp> does, which is what it is for.
 # usage: cmake -DPREFIX=DIR -DCOMPILER=CXX -DEIGEN=DIR -DWORK=DIR -P check_headers.cmake
-file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*/*.hpp")
+file(GLOB_RECURSE headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*.hpp")
 list(LENGTH headers count)
 if(count LESS 8)
   message(FATAL_ERROR "only ${count} headers under ${PREFIX}/include/tetproof")

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "document_in_order.hpp"
+#include "tests/support/document_in_order.hpp"
 #include "io/error.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"

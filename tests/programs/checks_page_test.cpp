@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/checks.md: a section for each check that there is, in their order, and examples that are what
+// verify/checks/checks.md: a section for each check that there is, in their order, and examples that are what
 // tetproof-verify prints.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "tests/programs/run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

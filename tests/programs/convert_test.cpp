@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

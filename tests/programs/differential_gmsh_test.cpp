@@ -6,10 +6,10 @@
 #include <map>
 #include <sstream>
 
-#include "document_listing.hpp"
-#include "io/element_types.hpp"
+#include "tests/support/document_listing.hpp"
+#include "io/model/element_types.hpp"
 #include "io/mesh_files.hpp"
-#include "run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "tests/programs/run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

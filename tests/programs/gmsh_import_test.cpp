@@ -14,7 +14,7 @@
 
 #include "io/document.hpp"
 #include "io/mesh_files.hpp"
-#include "run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

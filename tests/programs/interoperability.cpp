@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

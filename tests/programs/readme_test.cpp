@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What README.md shows is what the programs print: every "$ command" in it is run, in its order, in one
 // folder.
-#include "tests/programs/run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

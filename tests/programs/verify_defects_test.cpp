@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/programs/run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

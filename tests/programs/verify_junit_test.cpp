@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/programs/verify_files.hpp"
+#include "tests/support/verify_files.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/report.schema.json, by a validator that is not ours: it takes what tetproof-verify --json writes of
+// verify/reports/report.schema.json, by a validator that is not ours: it takes what tetproof-verify --json writes of
 // all kinds of meshes, and nothing that deviates from it.
 #include <gmock/gmock.h>
 
 #include <set>
 #include <sstream>
 
-#include "tests/programs/verify_files.hpp"
+#include "tests/support/verify_files.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -13,7 +13,7 @@
 #include "document_texts.hpp"
 #include "documents_pairing.hpp"
 #include "entities_compare.hpp"
-#include "io/element_types.hpp"
+#include "io/model/element_types.hpp"
 #include "remnants.hpp"
 
 namespace tetproof::test {

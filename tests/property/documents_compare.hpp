@@ -15,7 +15,7 @@ namespace tetproof::test {
 
 struct Difference {
   std::string
-      item;  ///< in the words of io/losses.cpp, or "changed ...", "gained ..." for what no list may hold
+      item;  ///< in the words of io/loss/losses.cpp, or "changed ...", "gained ..." for what no list may hold
   std::int64_t count = 0;
   std::string example;
   std::vector<std::string>

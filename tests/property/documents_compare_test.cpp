@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "../parser-fuzz/document_in_order.hpp"
+#include "tests/support/document_in_order.hpp"
 #include "random_document.hpp"
 
 namespace tetproof::test {

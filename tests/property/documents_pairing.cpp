@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/element_types.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dice.hpp"
-#include "io/element_types.hpp"
+#include "io/model/element_types.hpp"
 #include "random_parts.hpp"
 
 namespace tetproof::test {

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "../parser-fuzz/document_in_order.hpp"
-#include "../unit/io/test_files.hpp"
+#include "tests/support/document_in_order.hpp"
+#include "tests/support/test_files.hpp"
 #include "documents_compare.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"

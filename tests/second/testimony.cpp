@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/second/testimony.hpp"
 
-#include "reference/trace_records.hpp"
-#include "tests/unit/io/test_files.hpp"
+#include "reference/trace/trace_records.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof::second {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/trace.hpp"
-#include "reference/follow.hpp"
+#include "reference/follow/follow.hpp"
 #include "reference/generate.hpp"
 #include "tests/second/second.hpp"
 #include "verify/compare_traces.hpp"

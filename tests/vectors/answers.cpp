@@ -7,12 +7,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "reference/curvature.hpp"
-#include "reference/extract.hpp"
-#include "reference/row_choice.hpp"
-#include "reference/table4.hpp"
-#include "reference/vertex_tree.hpp"
-#include "reference/weights.hpp"
+#include "reference/engine/adaptation/curvature.hpp"
+#include "reference/engine/first_grid/extract.hpp"
+#include "reference/engine/first_grid/row_choice.hpp"
+#include "reference/engine/adaptation/table4.hpp"
+#include "reference/engine/adaptation/vertex_tree.hpp"
+#include "reference/engine/adaptation/weights.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "tests/programs/run_program.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <string>
 
-#include "document_text.hpp"
+#include "tests/support/document_text.hpp"
 #include "io/mesh_files.hpp"
-#include "test_files.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof {
 namespace {

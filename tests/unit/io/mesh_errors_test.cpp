@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/mesh_files.hpp"
-#include "test_files.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof {
 namespace {

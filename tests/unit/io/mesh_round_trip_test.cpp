@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "document_text.hpp"
+#include "tests/support/document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
-#include "io/numbers.hpp"
-#include "test_files.hpp"
+#include "io/msh/numbers.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof {
 namespace {

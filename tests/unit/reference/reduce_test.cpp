@@ -11,7 +11,7 @@
 
 #include "corpus/surfaces.hpp"
 #include "io/error.hpp"
-#include "reference/contacts.hpp"
+#include "reference/engine/first_grid/contacts.hpp"
 #include "verify/surface.hpp"
 
 namespace tetproof::reference {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "io/error.hpp"
-#include "meshes.hpp"
+#include "tests/support/meshes.hpp"
 
 namespace tetproof::test {
 namespace {

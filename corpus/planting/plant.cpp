@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses places, and decides by exact arithmetic whether what was planted is what its kind promises.
+#include "corpus/plant.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "corpus/planting/plant_outcome.hpp"
+#include "corpus/planting/plant_site.hpp"
+
+namespace tetproof::corpus {
+namespace {
+
+// What two kinds in one place come to: nothing is known of it but the truth.
+bool is_together(const PlantKind& kind) {
+  return kind.id == std::string_view("any-two-together");
+}
+
+// Whether the mesh is as valid as what was planted promises; says what it is.
+bool keeps_promise(const std::vector<const PlantKind*>& kinds, bool together, Planted& planted) {
+  const bool valid = planted.truth.valid();
+  if (together || !kinds[0]->expected) {
+    planted.expected = valid ? Expected::sound : Expected::defective;
+    return true;
+  }
+  bool invalid = false, slit = false;
+  for (const PlantKind* kind : kinds) {
+    planted.expected = std::max(planted.expected, *kind->expected);
+    slit = slit || kind->has("slit");
+    invalid = invalid || (kind->expected == Expected::defective && !kind->has("slit"));
+  }
+  // A node that hangs is all that is wrong with its tetrahedra.
+  if (slit && kinds.size() == 1 && !(planted.truth.negative.empty() && planted.truth.flat.empty()))
+    return false;
+  return invalid ? !valid : slit || valid;
+}
+
+// Adds what a kind demands of a report, as far as it is true. False if nothing of it is.
+bool demand(const PlantKind& kind, Planted& planted, PlantedRoot root) {
+  for (const auto* ids : {&kind.needed, &kind.also})
+    for (const char* id : *ids) planted.admissible.emplace_back(id);
+  for (const char* id : kind.needed)
+    if (planted.truth.confirms(id)) root.ids.emplace_back(id);
+  if (!kind.expected) {
+    if (planted.expected != Expected::defective) return true;
+    std::erase_if(root.ids, [](const std::string& id) {
+      return id == "cavity" || id == "near-contact" || id.starts_with("boundary-nonmanifold");
+    });
+  }
+  if (root.ids.empty()) return kind.needed.empty();
+  planted.needed.push_back(std::move(root));
+  return true;
+}
+
+// What is worth a warning wherever it is true, or was before.
+void admit_warnings(Planted& planted, const std::vector<const char*>& before) {
+  planted.admissible.insert(planted.admissible.end(), before.begin(), before.end());
+  for (const char* id :
+       {"duplicate-point", "unused-point", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"})
+    if (planted.truth.confirms(id)) planted.admissible.emplace_back(id);
+  std::sort(planted.admissible.begin(), planted.admissible.end());
+  planted.admissible.erase(std::unique(planted.admissible.begin(), planted.admissible.end()),
+                           planted.admissible.end());
+}
+
+// What was planted first, by its place in the copy.
+struct First {
+  std::vector<Index> tets, vertices;
+};
+
+std::optional<Planted> finished(const Site& site, const std::vector<const PlantKind*>& kinds, bool together,
+                                const First& first) {
+  Outcome result = outcome(site);
+  if (!result.anything) return std::nullopt;
+  Planted planted;
+  planted.mesh = std::move(result.mesh);
+  const bool whole = result.changed.size() * 4 > planted.mesh.tets.size();
+  // Of many tetrahedra, pairs only where single ones do not settle what is asked.
+  planted.truth = truth(planted.mesh, result.changed, whole ? 0 : 64);
+  if (whole && planted.truth.negative.empty()) planted.truth = truth(planted.mesh, result.changed, 16);
+  if (!keeps_promise(kinds, together, planted)) return std::nullopt;
+  std::vector<PlantedRoot> places(kinds.size());
+  for (std::size_t i = 0; i < result.tets.size(); ++i)
+    places[kinds.size() == 2 && !std::binary_search(first.tets.begin(), first.tets.end(), result.origins[i])]
+        .tets.push_back(result.tets[i]);
+  for (const Index v : result.vertices)
+    places[kinds.size() == 2 && !std::binary_search(first.vertices.begin(), first.vertices.end(), v)]
+        .vertices.push_back(v);
+  planted.tets = std::move(result.tets);
+  planted.vertices = std::move(result.vertices);
+  if (together) {
+    for (const char* id : {"index-range", "finite-coordinates", "repeated-vertex", "duplicate-tet",
+                           "inverted", "flat", "face-shared-thrice", "face-orientation", "crack",
+                           "boundary-self-intersection", "overlap", "hanging-node", "crossed-diagonal"})
+      planted.admissible.emplace_back(id);
+    if (planted.expected == Expected::defective)
+      planted.needed = {{planted.admissible, planted.tets, planted.vertices}};
+    for (const char* id : {"cavity", "near-contact"}) planted.admissible.emplace_back(id);
+  } else {
+    if (kinds.size() == 2 && !apart(planted.mesh, places[0], places[1])) return std::nullopt;
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (!demand(*kinds[i], planted, std::move(places[i]))) return std::nullopt;
+  }
+  admit_warnings(planted, site.parts.warned);
+  // What rounding flattened or turned over beside what was meant is another kind. (Of a tetrahedron twice one
+  // may be negative.)
+  const auto admitted = [&](const char* id) {
+    return together ||
+           std::find(planted.admissible.begin(), planted.admissible.end(), id) != planted.admissible.end();
+  };
+  if (!planted.truth.flat.empty() && !admitted("flat")) return std::nullopt;
+  if (!planted.truth.negative.empty() && planted.truth.duplicates.empty() && !admitted("inverted"))
+    return std::nullopt;
+  return planted;
+}
+
+// In one place the truth alone decides: nothing there may hang on rounding.
+const PlantKind& any_local_kind(Random& random, bool together) {
+  const auto& all = plant_kinds();
+  for (;;) {
+    const PlantKind& kind = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
+    if (kind.mutate && kind.expected && !kind.has("whole") &&
+        !(together && (kind.has("conformity") || kind.has("rounding"))))
+      return kind;
+  }
+}
+
+}  // namespace
+
+Ground::Ground(TetMesh mesh) : parts_(std::make_unique<const Parts>(std::move(mesh))) {}
+Ground::~Ground() = default;
+Ground::Ground(Ground&&) noexcept = default;
+const TetMesh& Ground::mesh() const {
+  return parts_->mesh;
+}
+
+std::optional<Planted> plant(const PlantKind& kind, const Ground& ground, std::uint64_t seed) {
+  constexpr int tries = 40;
+  const Parts& parts = ground.parts();
+  if (kind.has("whole") && parts.mesh.tets.size() > most_tets_for_whole) return std::nullopt;
+  Random random(seed);
+  const std::vector<std::uint8_t> nothing(parts.mesh.points.size(), 0);
+  for (int i = 0; i < tries; ++i) {
+    std::vector<std::uint8_t> taken = nothing;
+    Site site(parts, random, taken);
+    if (kind.mutate) {
+      if (!kind.mutate(site)) continue;
+      if (auto planted = finished(site, {&kind}, false, {})) return planted;
+      continue;
+    }
+    const bool together = is_together(kind);
+    const PlantKind& one = kind.first ? plant_kind(kind.first) : any_local_kind(random, together);
+    const PlantKind& other = kind.second ? plant_kind(kind.second) : any_local_kind(random, together);
+    if (!one.mutate(site) || (!together && !finished(site, {&one}, false, {}))) continue;
+    Outcome planted_first = outcome(site);
+    const First first{std::move(planted_first.origins), std::move(planted_first.vertices)};
+    if (!together) {
+      // Both keep their promise also alone.
+      taken = taken_by(site);
+      Random same = random;
+      Site alone(parts, same, taken);
+      if (!other.mutate(alone) || !finished(alone, {&other}, false, {})) continue;
+    }
+    if (!other.mutate(site)) continue;
+    site.vertices.insert(site.vertices.end(), first.vertices.begin(), first.vertices.end());
+    if (auto planted = finished(site, {&one, &other}, together, first)) return planted;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tetproof::corpus

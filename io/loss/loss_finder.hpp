@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looking for losses: the document, what the format holds of it, and the list that grows.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/loss/holds.hpp"
+#include "io/losses.hpp"
+#include "io/loss/written_part.hpp"
+
+namespace tetproof::io {
+
+class LossFinder {
+ public:
+  LossFinder(const Document& document, const Holds& holds, const WrittenPart& written,
+             std::vector<Loss>& losses)
+      : document_(document), holds_(holds), written_(written), losses_(losses) {}
+
+ protected:
+  using Cut = WrittenPart::Cut;
+  using Written = WrittenPart::Block;
+
+  // An item stands in the list once, with its first example.
+  void add(const std::string& item, std::size_t count, const std::string& example) {
+    if (count == 0) return;
+    for (Loss& loss : losses_)
+      if (loss.item == item) {
+        loss.count += static_cast<std::int64_t>(count);
+        return;
+      }
+    losses_.push_back({item, static_cast<std::int64_t>(count), example});
+  }
+
+  std::string element(const ElementBlock& block, std::size_t e = 0) const {
+    return fmt::format("element {}", document_.element_tag(block.first + e));
+  }
+
+  // The blocks of what comes back, and then what comes back in triangles, one by one.
+  template <class Each>
+  void each_written(const Each& each) const {
+    for (const Written& written : written_.blocks())
+      each(*written.block, written.count, element(*written.block));
+    for (const Cut& cut : written_.cut()) each(*cut.block, 1, element(*cut.block, cut.element));
+  }
+
+  const Document& document_;
+  const Holds& holds_;
+  const WrittenPart& written_;
+
+ private:
+  std::vector<Loss>& losses_;
+};
+
+/// Elements, nodes, their order, numbers and coordinates.
+void find_losses_of_mesh(const Document& document, const Holds& holds, const WrittenPart& written,
+                         std::vector<Loss>& losses);
+/// Entities, physical groups, partitions, parametric coordinates and periodic links.
+void find_losses_of_entities(const Document& document, const Holds& holds, const WrittenPart& written,
+                             std::vector<Loss>& losses);
+
+}  // namespace tetproof::io

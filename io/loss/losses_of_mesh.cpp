@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "io/model/element_types.hpp"
+#include "io/loss/loss_finder.hpp"
+#include "io/model/weld.hpp"
+
+namespace tetproof::io {
+namespace {
+
+const char* name_of(int type) {
+  if (type == io::polygon) return "polygons";
+  const ElementType* known = io::element_type(type);
+  switch (known ? known->shape : Shape::other) {
+    case Shape::point:
+      return "points";
+    case Shape::line:
+      return "lines";
+    case Shape::triangle:
+      return "triangles";
+    case Shape::quadrangle:
+      return "quadrangles";
+    case Shape::tetrahedron:
+      return "tetrahedra";
+    case Shape::hexahedron:
+      return "hexahedra";
+    case Shape::prism:
+      return "prisms";
+    case Shape::pyramid:
+      return "pyramids";
+    case Shape::polygon:
+      return "polygons";
+    case Shape::other:
+      break;
+  }
+  return "elements";
+}
+
+bool is_plain(std::int64_t first) {
+  return first == 0 || first == 1;
+}
+
+class MeshLosses : LossFinder {
+ public:
+  using LossFinder::LossFinder;
+
+  void find() {
+    elements();
+    order();
+    nodes();
+    node_numbers();
+    unknown_numbers();
+    element_numbers();
+    coordinates();
+  }
+
+ private:
+  // Elements that are not written, or without their nodes between the corners.
+  void elements() {
+    for (const ElementBlock& block : document_.blocks) {
+      const std::string what =
+          fmt::format("{} of {} nodes (type {})", name_of(block.type), block.nodes_each, block.type);
+      const int each = holds_.nodes_each(block);
+      if (each == 0) {
+        not_written(block, what);
+      } else if (!holds_.unknown_nodes && !document_.unknown.empty()) {
+        unknown_nodes(block);
+      }
+    }
+    for (const Written& written : written_.blocks())
+      if (written.nodes_each < written.block->nodes_each)
+        add(fmt::format("nodes between the corners of {} of {} nodes (type {})", name_of(written.block->type),
+                        written.block->nodes_each, written.block->type),
+            written.count, element(*written.block));
+  }
+
+  // Left out, or cut into triangles.
+  void not_written(const ElementBlock& block, const std::string& what) {
+    std::vector<bool> cut(block.count);
+    for (const Cut& one : written_.cut())
+      if (one.block == &block) {
+        cut[one.element] = true;
+        add(what + " cut into triangles", 1, element(block, one.element));
+      }
+    const auto first = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), false) - cut.begin());
+    add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first));
+  }
+
+  void unknown_nodes(const ElementBlock& block) {
+    for (std::size_t e = 0; e < block.count; ++e) {
+      if (!written_.names_unknown(block, e)) continue;
+      const Index* node = written_.nodes_of(block, e);
+      const Index bad = *std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
+      add("elements that name nodes which do not exist", 1,
+          fmt::format("{} names node {}", element(block, e), document_.named(bad)));
+    }
+  }
+
+  // The writer puts them together by kind.
+  void order() {
+    const std::vector<Written>& blocks = written_.blocks();
+    for (std::size_t i = 1; i < blocks.size(); ++i)
+      if (blocks[i].block < blocks[i - 1].block)
+        return add("order of elements", 1,
+                   fmt::format("{} comes before those above it", element(*blocks[i - 1].block)));
+  }
+
+  void nodes() {
+    if (written_.all_nodes()) return;
+    std::vector<bool> kept(document_.points.size());
+    for (std::size_t i = 0; i < written_.nodes(); ++i) kept[written_.node(i)] = true;
+    const auto lost = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+    const auto first = static_cast<std::size_t>(std::find(kept.begin(), kept.end(), false) - kept.begin());
+    if (lost > 0)
+      add("nodes of no element that is written", lost, fmt::format("node {}", document_.node_tag(first)));
+    if (holds_.nodes_by_place) nodes_by_place();
+  }
+
+  // One for each place, as elements name them.
+  void nodes_by_place() {
+    std::vector<Eigen::Vector3d> places;
+    bool in_order = true;
+    for (std::size_t i = 0; i < written_.nodes(); ++i) {
+      places.push_back(document_.points[written_.node(i)]);
+      if (holds_.single) places.back() = places.back().cast<float>().cast<double>().eval();
+      in_order = in_order && (i == 0 || written_.node(i - 1) < written_.node(i));
+    }
+    if (!in_order)
+      add("order of nodes", 1, fmt::format("the first is node {}", document_.node_tag(written_.node(0))));
+    const std::size_t all = places.size();
+    weld(places);
+    add("nodes at the place of another one", all - places.size(), fmt::format("of {}", all));
+    if (std::any_of(places.begin(), places.end(), [](const auto& p) { return p.hasNaN(); })) nodes_at_nan();
+  }
+
+  // They equal no place, not even their own, and come back once for each corner.
+  void nodes_at_nan() {
+    std::map<Index, std::size_t> corners;
+    for (const Written& written : written_.blocks())
+      for (std::size_t e = 0; e < written.block->count; ++e)
+        if (written_.comes_back(written, e))
+          for (int k = 0; k < written.nodes_each; ++k)
+            if (const Index node = written_.nodes_of(*written.block, e)[k];
+                document_.points[static_cast<std::size_t>(node)].hasNaN())
+              ++corners[node];
+    for (const auto& [node, count] : corners)
+      if (count > 1)
+        add("nodes at NaN, which become one for each corner", 1,
+            fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(node))));
+  }
+
+  // Those that come back count up from 0 or 1, or their numbers are lost.
+  void node_numbers() {
+    if (holds_.node_tags || written_.nodes() == 0) return;
+    if (written_.all_nodes() && document_.node_tags.empty() && is_plain(document_.first_node)) return;
+    const std::int64_t first = document_.node_tag(written_.node(0));
+    std::int64_t next = first;
+    bool plain = is_plain(first);
+    for (std::size_t i = 0; i < written_.nodes() && plain; ++i)
+      plain = document_.node_tag(written_.node(i)) == next++;
+    if (!plain) add("numbers of nodes", written_.nodes(), fmt::format("the first is {}", first));
+  }
+
+  // Numbers that no node has, where they are written as others.
+  void unknown_numbers() {
+    if (!holds_.unknown_nodes || !holds_.unknown_number) return;
+    for (std::size_t k = 0; k < document_.unknown.size(); ++k)
+      if (const std::int64_t number = holds_.unknown_number(k); number != document_.unknown[k])
+        add("numbers of nodes that do not exist", 1,
+            fmt::format("{} becomes {}", document_.unknown[k], number));
+  }
+
+  void element_numbers() {
+    if (holds_.element_tags || written_.blocks().empty()) return;
+    std::int64_t first = 0, first_in_file = 0, position = 0, before = 0;
+    bool plain = true, begun = false;  // plain: they count up from 0 or 1 and so do those in the file
+    bool same = true;                  // they are those in the file, which start from 1
+    std::size_t count = 0;
+    auto cut = written_.cut().begin();
+    for (const Written& written : written_.blocks()) {
+      count += written.count;
+      for (; cut != written_.cut().end() && cut->block < written.block; ++cut) position += cut->corners - 2;
+      for (std::size_t e = 0; e < written.block->count && (plain || same || !begun); ++e) {
+        if (!written_.comes_back(written, e)) continue;
+        const std::size_t place = written.block->first + e;
+        const std::int64_t tag = document_.element_tag(place),
+                           in_file = holds_.numbers_all_elements ? static_cast<std::int64_t>(place) + 1
+                                                                 : ++position;
+        if (!begun) first = tag, first_in_file = in_file, begun = true;
+        plain = plain && is_plain(first) && tag == first + before && is_plain(first_in_file) &&
+                in_file == first_in_file + before;
+        same = same && tag == in_file;
+        ++before;
+      }
+    }
+    if (!plain && !same) add("numbers of elements", count, fmt::format("the first is {}", first));
+  }
+
+  void coordinates() {
+    if (!holds_.single) return;
+    std::size_t rounded = 0;
+    std::string example;
+    for (std::size_t i = 0; i < written_.nodes(); ++i)
+      for (const double x : document_.points[written_.node(i)])
+        if (!std::isnan(x) && static_cast<double>(static_cast<float>(x)) != x && rounded++ == 0)
+          example = fmt::format("{} becomes {}", x, static_cast<double>(static_cast<float>(x)));
+    add("coordinates rounded to 32 bits", rounded, example);
+  }
+};
+
+}  // namespace
+
+void find_losses_of_mesh(const Document& document, const Holds& holds, const WrittenPart& written,
+                         std::vector<Loss>& losses) {
+  MeshLosses(document, holds, written, losses).find();
+}
+
+}  // namespace tetproof::io

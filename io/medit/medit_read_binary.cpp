@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Medit's binary files: a chain of keywords by number, each with the place of the next one.
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+
+#include "io/bytes/byte_order.hpp"
+#include "io/model/element_types.hpp"
+#include "io/medit/medit_content.hpp"
+
+namespace tetproof::io {
+namespace {
+
+class Reader {
+ public:
+  Reader(const InputFile& file, std::endian order)
+      : in_(file.path(), file.bytes(), 4), size_(file.bytes().size()), order_(order), content_(file.path()) {}
+
+  Document read() {
+    version_ = static_cast<int>(number<std::int32_t>("the version"));
+    if (version_ < 1 || version_ > 4)
+      in_.fail_at_byte(fmt::format("expected a version from 1 to 4, found {}", version_));
+    bool ended = false;
+    while (!ended && in_.remaining() > 0) ended = keyword();
+    if (dimension_ == 0) in_.fail_at_byte("expected Dimension, found the end of the file");
+    if (!content_.has_vertices()) in_.fail_at_byte("expected Vertices, found the end of the file");
+    if (!ended) content_.warn(": the file does not close with End");
+    return content_.finish();
+  }
+
+ private:
+  bool keyword() {
+    const std::int64_t code = number<std::int32_t>("a keyword");
+    const std::int64_t next = version_ < 3 ? number<std::int32_t>("the place of the next keyword")
+                                           : number<std::int64_t>("the place of the next keyword");
+    if (code == medit_end) return true;
+    if (next != 0 &&
+        (next < static_cast<std::int64_t>(in_.offset()) || next > static_cast<std::int64_t>(size_)))
+      in_.fail_at_byte(fmt::format("expected the place of the next keyword, from {} to {}, found {}",
+                                   in_.offset(), size_, next));
+    const std::size_t end = next == 0 ? size_ : static_cast<std::size_t>(next);
+    if (code == medit_dimension) {
+      dimension_ = static_cast<int>(number<std::int32_t>("the dimension 2 or 3"));
+      if (dimension_ != 2 && dimension_ != 3)
+        in_.fail_at_byte(fmt::format("expected the dimension 2 or 3, found {}", dimension_));
+    } else if (code == medit_vertices) {
+      vertices(end);
+    } else {
+      const MeditKeyword* known =
+          code > 0 && code < 1 << 16 ? medit_keyword(static_cast<int>(code)) : nullptr;
+      if (known && known->element != 0)
+        elements(*known, end);
+      else if (!known || !section(*known, end))
+        content_.warn(fmt::format(": byte {}: {} bytes of keyword {}{} are skipped", in_.offset(),
+                                  end - in_.offset(), code, known ? fmt::format(" ({})", known->name) : ""));
+      if (!known && next == 0) in_.fail_at_byte(fmt::format("expected a keyword, found {}", code));
+    }
+    if (next != 0) in_.raw(end - in_.offset(), "a keyword's data");
+    return next == 0 && in_.remaining() == 0;
+  }
+
+  void vertices(std::size_t end) {
+    if (dimension_ == 0) in_.fail_at_byte("expected Dimension in front of Vertices");
+    if (content_.has_vertices()) in_.fail_at_byte("a second Vertices");
+    const std::size_t row = static_cast<std::size_t>(dimension_) * real_size() + integer_size();
+    const std::size_t count = this->count("the number of vertices", row, end);
+    if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+      in_.fail_at_byte(fmt::format("{} vertices are more than the {} that can be numbered here", count,
+                                   std::numeric_limits<Index>::max()));
+    content_.start_vertices(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Eigen::Vector3d point = Eigen::Vector3d::Zero();
+      for (int k = 0; k < dimension_; ++k) point[k] = real();
+      content_.add_vertex(point, integer());
+    }
+  }
+
+  void elements(const MeditKeyword& keyword, std::size_t end) {
+    const auto each = static_cast<std::size_t>(element_type(keyword.element)->nodes) + 1;
+    const std::size_t count = this->count("the number of elements", each * integer_size(), end);
+    MeditContent::Elements list{&keyword};
+    list.numbers.reserve(count * each);
+    for (std::size_t i = 0; i < count * each; ++i) list.numbers.push_back(integer());
+    content_.add_elements(std::move(list));
+  }
+
+  // False where the bytes are not as many as its form makes them.
+  bool section(const MeditKeyword& keyword, std::size_t end) {
+    if (dimension_ == 0 && keyword.format.find('c') != std::string_view::npos) return false;
+    std::size_t row = 0;
+    for (const char kind : keyword.format)
+      row += kind == 'i'   ? integer_size()
+             : kind == 'r' ? real_size()
+                           : static_cast<std::size_t>(dimension_) * real_size();
+    MeditLines lines;
+    const Scanner start = in_;
+    if (keyword.counted) lines.count = count("a number of lines", row, end);
+    if (in_.offset() + lines.count * row != end) {
+      in_ = start;
+      return false;
+    }
+    for (std::size_t line = 0; line < lines.count; ++line)
+      for (const char kind : keyword.format)
+        for (int k = 0; k < (kind == 'c' ? dimension_ : 1); ++k)
+          if (kind == 'i')
+            lines.integers.push_back(integer());
+          else
+            lines.reals.push_back(real());
+    content_.add_section(&keyword, keyword.name, medit_body(keyword, lines, std::max(2, dimension_)),
+                         std::max(2, dimension_));
+    return true;
+  }
+
+  std::size_t real_size() const { return version_ == 1 ? 4 : 8; }
+  std::size_t integer_size() const { return version_ == 4 ? 8 : 4; }
+  double real() { return version_ == 1 ? number<float>("a number") : number<double>("a number"); }
+  std::int64_t integer() {
+    return version_ == 4 ? number<std::int64_t>("an integer") : number<std::int32_t>("an integer");
+  }
+
+  // Of lines of so many bytes each, which must stand in front of `end`.
+  std::size_t count(const char* what, std::size_t row, std::size_t end) {
+    const std::int64_t value = integer();
+    const std::size_t left = end > in_.offset() ? end - in_.offset() : 0;
+    if (value < 0 || static_cast<std::uint64_t>(value) > left / row)
+      in_.fail_at_byte(fmt::format("expected {}, found {}; {} bytes are left for it", what, value, left));
+    return static_cast<std::size_t>(value);
+  }
+
+  template <class T>
+  T number(const char* what) {
+    return load<T>(in_.raw(sizeof(T), what).data(), order_);
+  }
+
+  Scanner in_;
+  std::size_t size_;
+  std::endian order_;
+  MeditContent content_;
+  int version_ = 0, dimension_ = 0;
+};
+
+}  // namespace
+
+Document read_medit_binary(const InputFile& file, std::endian order) {
+  return Reader(file, order).read();
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Medit's text files: keywords in any order, each with its numbers behind it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "io/model/element_types.hpp"
+#include "io/medit/medit_content.hpp"
+#include "io/medit/medit_places.hpp"
+
+namespace tetproof::io {
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const InputFile& file) : in_(file), bytes_(file.bytes()), content_(file.path()) {}
+
+  Document read() {
+    bool ended = false;
+    while (!in_.at_end('#')) {
+      const std::string_view name = in_.word('#');
+      if (name == "End") {
+        ended = true;
+        break;
+      }
+      if (!looks_like_medit_keyword(name)) in_.fail("a keyword", name);
+      keyword(name);
+    }
+    if (!has_version_) in_.fail("MeshVersionFormatted", {});
+    if (dimension_ == 0) in_.fail("Dimension", {});
+    if (!content_.has_vertices()) in_.fail("Vertices", {});
+    if (!ended) content_.warn(": the file does not close with End");
+    return content_.finish();
+  }
+
+ private:
+  void keyword(std::string_view name) {
+    if (name == "MeshVersionFormatted") {
+      const std::int64_t version = in_.integer("a version from 1 to 4", '#');
+      if (version < 0 || version > 4)
+        in_.fail_in_line(fmt::format("expected a version from 1 to 4, found {}", version));
+      has_version_ = true;
+      return;
+    }
+    if (!has_version_) in_.fail("MeshVersionFormatted", name);
+    if (name == "Dimension") {
+      const std::int64_t dimension = in_.integer("the dimension 2 or 3", '#');
+      if (dimension != 2 && dimension != 3)
+        in_.fail_in_line(fmt::format("expected the dimension 2 or 3, found {}", dimension));
+      dimension_ = static_cast<int>(dimension);
+      return;
+    }
+    if (name == "Vertices") return vertices();
+    const MeditKeyword* known = medit_keyword(name);
+    if (known && known->element != 0) return elements(*known);
+    section(known, name);
+  }
+
+  void vertices() {
+    if (dimension_ == 0) in_.fail("Dimension in front of Vertices", "Vertices");
+    if (content_.has_vertices()) in_.fail_in_line("a second Vertices");
+    const std::int64_t count =
+        in_.count("the number of vertices", 2 * static_cast<std::size_t>(dimension_) + 1, '#');
+    if (count > std::numeric_limits<Index>::max())
+      in_.fail_in_line(fmt::format("{} vertices are more than the {} that can be numbered here", count,
+                                   std::numeric_limits<Index>::max()));
+    content_.start_vertices(static_cast<std::size_t>(count));
+    bool warned = false;
+    for (std::int64_t i = 0; i < count; ++i) {
+      Eigen::Vector3d point = Eigen::Vector3d::Zero();
+      for (int k = 0; k < dimension_; ++k) point[k] = in_.real("a coordinate", '#');
+      const std::string_view word = in_.peek_word('#');
+      const double reference = in_.real("a reference", '#');
+      if (!(std::abs(reference) < largest_medit_real_reference)) {
+        std::int64_t large = 0;
+        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), large);
+        if (error == std::errc() && stop == word.data() + word.size()) {
+          content_.add_vertex(point, large);
+          continue;
+        }
+        in_.fail_in_line(fmt::format("expected the reference of vertex {}, found {}", i + 1, word));
+      }
+      if (reference != std::floor(reference) && !warned) {
+        warned = true;
+        content_.warn(
+            fmt::format(":{}: {} is no integer, as references are (the first such)", in_.line(), reference));
+      }
+      content_.add_vertex(point, reference);
+    }
+  }
+
+  void elements(const MeditKeyword& keyword) {
+    const auto each = static_cast<std::size_t>(element_type(keyword.element)->nodes) + 1;
+    const std::int64_t count = in_.count("the number of elements", 2 * each - 1, '#');
+    MeditContent::Elements list{&keyword};
+    list.numbers.reserve(static_cast<std::size_t>(count) * each);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count) * each; ++i)
+      list.numbers.push_back(
+          in_.integer((i + 1) % each == 0 ? "a reference" : "the number of a vertex", '#'));
+    content_.add_elements(std::move(list));
+  }
+
+  // As it stands, up to a line that begins with a letter.
+  void section(const MeditKeyword* known, std::string_view name) {
+    if (!known)
+      content_.warn(fmt::format(":{}: the keyword {} is not known; what follows it is kept as it stands",
+                                in_.line(), name));
+    std::size_t begin = in_.offset(), end = begin;
+    in_.rest_of_line();
+    for (end = in_.offset(); in_.remaining() > 0; end = in_.offset()) {
+      in_.next_line();
+      const std::size_t line = in_.offset();
+      const std::size_t next = bytes_.find_first_not_of(" \t", line);
+      if (next != std::string_view::npos && is_medit_letter(bytes_[next])) break;
+      in_.rest_of_line();
+    }
+    constexpr const char* blanks = " \t\r\n\v\f";
+    std::string_view body = bytes_.substr(begin, end - begin);
+    begin = body.find_first_not_of(blanks);
+    body = begin == std::string_view::npos ? std::string_view{}
+                                           : body.substr(begin, body.find_last_not_of(blanks) + 1 - begin);
+    content_.add_section(known, known ? known->name : name, std::string(body), std::max(2, dimension_));
+  }
+
+  Scanner in_;
+  std::string_view bytes_;
+  MeditContent content_;
+  int dimension_ = 0;
+  bool has_version_ = false;
+};
+
+}  // namespace
+
+Document read_medit_text(const InputFile& file) {
+  return Reader(file).read();
+}
+
+}  // namespace tetproof::io

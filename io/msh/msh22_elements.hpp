@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements of .msh 1 to 3 as they join a document: like ones after each other are a block, and an element in
+// several physical groups, which stands once for each of them, becomes one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/msh/msh22_plain.hpp"
+#include "io/msh/msh_sections.hpp"
+
+namespace tetproof::io {
+
+class Elements22 {
+ public:
+  /// `copies` gets the tags of elements' further appearances.
+  Elements22(ElementTags kind, Document& document, TagSets& sets, std::vector<ElementTag>& copies);
+
+  // What the elements to come are, until something else is said.
+  void set_type(std::int64_t number) { number_ = number; }
+  /// Physical, elementary, partitions.
+  void set_tags(std::span<const std::int64_t> tags);
+  /// Version 3 tells these instead.
+  void set_entity(std::int64_t entity, const std::vector<std::int64_t>& partitions);
+
+  void add(std::int64_t tag, std::span<const Index> nodes);
+  /// `left`: how many elements there are from these on.
+  void add(const PlainElements22& elements, std::size_t left);
+  /// After the last one.
+  void finish();
+
+ private:
+  struct Waiting {
+    bool any = false;
+    std::int64_t tag = 0, number = 0;
+    std::size_t tags = 0;
+    std::int64_t entity = 0;
+    std::int32_t partitions = 0;
+    std::vector<std::int64_t> groups{};
+    std::vector<Index> nodes{};
+  };
+
+ public:
+  /// How far it has come, to be taken back to.
+  struct Mark {
+    std::vector<ElementBlock> blocks;
+    std::size_t elements, nodes, copies;
+    Waiting waiting;
+  };
+  Mark mark() const;
+  void back_to(const Mark& mark);
+
+ private:
+  bool repeats_waiting(std::span<const Index> nodes) const;
+  ElementBlock& block_of(ElementBlock like);
+
+  const ElementTags kind_;
+  Document& document_;
+  TagSets& sets_;
+  Tags element_tags_;
+  std::vector<ElementTag>& copies_;
+
+  std::int64_t number_ = -1, group_ = 0, entity_ = 0;
+  std::int32_t partitions_ = 0;
+  std::vector<std::int64_t> tags_;  // those last set
+  Waiting waiting_;
+};
+
+}  // namespace tetproof::io

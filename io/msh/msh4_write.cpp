@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes .msh 4.0 and 4.1.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/error.hpp"
+#include "io/msh/msh.hpp"
+#include "io/msh/msh_entities.hpp"
+#include "io/msh/msh_write.hpp"
+
+namespace tetproof::io {
+namespace {
+
+template <bool Binary>
+class Writer {
+ public:
+  Writer(AtomicFile& file, const Document& document, bool v40)
+      : file_(file),
+        document_(document),
+        v40_(v40),
+        format_(v40 ? "msh40" : "msh41"),
+        plan_(plan_entities(document)),
+        holds_(msh_holds(document, format_, Binary)) {
+    for (std::size_t b = 0; b < document.blocks.size(); ++b)
+      if (holds_.nodes_each(document.blocks[b]) > 0 && document.blocks[b].count > 0) blocks_.push_back(b);
+  }
+
+  void write() {
+    file_.write(msh_header(v40_ ? "4" : "4.1", Binary));
+    file_.write(msh_kept_sections(document_, holds_, true));
+    file_.write(msh_names(document_));
+    entities(false);
+    if (plan_.partitions > 0 || !document_.ghosts.empty() ||
+        (!plan_.entities.empty() && plan_.entities.back().parent_dim >= 0))
+      entities(true);
+    nodes();
+    elements();
+    file_.write(msh_kept_sections(document_, holds_, false));
+    write_msh_data(file_, {&document_}, holds_, format_, Binary);
+  }
+
+ private:
+  void end(const char* section) { file_.write(fmt::format("{}$End{}\n", Binary ? "\n" : "", section)); }
+
+  void entities(bool partitioned) {
+    file_.write(partitioned ? "$PartitionedEntities\n" : "$Entities\n");
+    if (partitioned) {
+      file_.write(line<Binary>(1, [&](auto& out) { out.size(plan_.partitions); }));
+      file_.write(line<Binary>(1, [&](auto& out) { out.size(document_.ghosts.size()); }));
+      for (const GhostEntity& ghost : document_.ghosts)
+        file_.write(
+            line<Binary>(2, [&](auto& out) { out.integer(ghost.tag), out.integer(ghost.partition); }));
+    }
+    std::array<std::int64_t, 4> counts{};
+    for (const Entity& entity : plan_.entities) counts[entity.dim] += (entity.parent_dim >= 0) == partitioned;
+    file_.write(line<Binary>(4, [&](auto& out) {
+      for (std::int64_t count : counts) out.size(count);
+    }));
+    for (const Entity& entity : plan_.entities) {
+      if ((entity.parent_dim >= 0) != partitioned) continue;
+      const auto& groups = document_.tag_sets[entity.groups];
+      const auto& partitions = document_.tag_sets[entity.partitions];
+      const std::size_t numbers = 12 + groups.size() + partitions.size() + entity.boundary.size();
+      file_.write(line<Binary>(numbers, [&](auto& out) {
+        integer(out, entity.tag);
+        if (partitioned) {
+          out.integer(entity.parent_dim), integer(out, entity.parent);
+          set(out, partitions);
+        }
+        for (int k = 0; k < (entity.dim == 0 && !v40_ ? 3 : 6); ++k) out.real(entity.box[k]);
+        set(out, groups);
+        if (entity.dim > 0) set(out, entity.boundary);
+      }));
+    }
+    end(partitioned ? "PartitionedEntities" : "Entities");
+  }
+
+  void set(auto& out, const std::vector<std::int64_t>& tags) {
+    out.size(tags.size());
+    for (std::int64_t tag : tags) integer(out, tag);
+  }
+
+  // Tags of entities and groups are 4 bytes in binary.
+  void integer(auto& out, std::int64_t tag) {
+    if (Binary && (tag > largest_int || tag < -largest_int - 1))
+      throw InputError(
+          fmt::format("{}: entity or group {} is too large for binary .msh, which gives it 4 bytes",
+                      document_.path, tag));
+    out.integer(tag);
+  }
+
+  void of_entity(auto& out, int dim, std::int64_t tag) {
+    if (!v40_) out.integer(dim);
+    integer(out, tag);
+    if (v40_) out.integer(dim);
+  }
+
+  void nodes() {
+    const auto [least, most] =
+        range_of(document_.node_tags, document_.first_node, 0, document_.points.size());
+    file_.write("$Nodes\n");
+    file_.write(line<Binary>(4, [&, low = least, high = most](auto& out) {
+      out.size(plan_.node_blocks.size()), out.size(document_.points.size());
+      if (!v40_) out.size(low), out.size(high);
+    }));
+    for (const NodeBlock& block : plan_.node_blocks) {
+      const int each = block.parameters_each == block.dim ? block.dim : 0;
+      file_.write(line<Binary>(4, [&](auto& out) {
+        of_entity(out, block.dim, block.entity);
+        out.integer(each > 0), out.size(block.count);
+      }));
+      if (!v40_)
+        write_items(file_, block.count, Putter<Binary>::longest, [&](std::size_t i, char* to) {
+          Putter<Binary> out{to};
+          out.size(document_.node_tag(block.first + i));
+          out.end_line();
+          return out.to;
+        });
+      write_items(file_, block.count, (4 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
+        Putter<Binary> out{to};
+        if (v40_) out.integer(document_.node_tag(block.first + i));
+        for (double x : document_.points[block.first + i]) out.real(x);
+        for (int k = 0; k < each; ++k) out.real(document_.parameters[block.parameters + i * each + k]);
+        out.end_line();
+        return out.to;
+      });
+    }
+    end("Nodes");
+  }
+
+  void elements() {
+    std::int64_t least = 0, most = 0, total = 0;
+    for (std::size_t b : blocks_) {
+      const ElementBlock& block = document_.blocks[b];
+      const auto range = range_of(document_.element_tags, document_.first_element, block.first, block.count);
+      least = total == 0 ? range.first : std::min(least, range.first);
+      most = total == 0 ? range.second : std::max(most, range.second);
+      total += block.count;
+    }
+    file_.write("$Elements\n");
+    file_.write(line<Binary>(4, [&](auto& out) {
+      out.size(blocks_.size()), out.size(total);
+      if (!v40_) out.size(least), out.size(most);
+    }));
+    for (std::size_t b : blocks_) {
+      const ElementBlock& block = document_.blocks[b];
+      const int each = block.nodes_each;
+      file_.write(line<Binary>(4, [&](auto& out) {
+        of_entity(out, block.dim, plan_.block_tags[b]);
+        out.integer(block.type), out.size(block.count);
+      }));
+      write_items(file_, block.count, (1 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
+        Putter<Binary> out{to};
+        out.size(document_.element_tag(block.first + i));
+        const Index* node = document_.connectivity.data() + block.nodes + i * each;
+        for (int k = 0; k < each; ++k) out.size(document_.named(node[k]));
+        out.end_line();
+        return out.to;
+      });
+    }
+    end("Elements");
+  }
+
+  AtomicFile& file_;
+  const Document& document_;
+  const bool v40_;  // whose numbers stand in another order; never binary
+  const std::string format_;
+  const EntityPlan plan_;
+  const Holds holds_;
+  std::vector<std::size_t> blocks_;  // those that are written
+};
+
+}  // namespace
+
+void write_msh40(AtomicFile& file, const Document& document) {
+  Writer<false>(file, document, true).write();
+}
+
+void write_msh41(AtomicFile& file, const Document& document, bool binary) {
+  binary ? Writer<true>(file, document, false).write() : Writer<false>(file, document, false).write();
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What .msh files hold, each version as it is written here.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <string_view>
+
+#include "io/model/element_types.hpp"
+#include "io/msh/msh22_limits.hpp"
+#include "io/msh/msh_entities.hpp"
+#include "io/msh/msh_write.hpp"
+
+namespace tetproof::io {
+namespace {
+
+// Sections that a version gives a meaning of its own.
+constexpr std::array<std::string_view, 16> versioned{
+    "MeshFormat",      "PhysicalNames", "Nodes",         "Elements",
+    "ParametricNodes", "NOD",           "NOE",           "ELM",
+    "Entities",        "Periodic",      "PeriodicNodes", "PartitionedEntities",
+    "ElementCuts",     "BoundaryLayer", "GhostElements", "Parametrizations"};
+// Those that name nodes or elements, the same way in all versions.
+constexpr std::array<std::string_view, 3> data{"NodeData", "ElementData", "ElementNodeData"};
+
+bool contains(const auto& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool fits_int(std::int64_t tag) {
+  return tag >= -largest_int - 1 && tag <= largest_int;
+}
+
+bool all_differ(const std::vector<std::int64_t>& tags) {
+  if (std::is_sorted(tags.begin(), tags.end(), std::less_equal<>())) return true;  // strictly ascending
+  std::vector<std::int64_t> sorted = tags;
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+// Text in double quotes, to the last quote of its line.
+bool is_quotable(const std::string& text) {
+  return text.find_first_of("\r\n") == text.npos;
+}
+
+// Runs of nodes as a reader puts them together: `merged` if it joins what is alike.
+std::vector<NodeBlock> runs_of(const std::vector<NodeBlock>& blocks, bool merged) {
+  std::vector<NodeBlock> runs;
+  for (const NodeBlock& block : blocks) {
+    if (block.count == 0) continue;
+    if (merged && !runs.empty() && runs.back().dim == block.dim && runs.back().entity == block.entity)
+      runs.back().count += block.count;
+    else
+      runs.push_back(block);
+  }
+  return runs;
+}
+
+bool same_runs(const std::vector<NodeBlock>& a, const std::vector<NodeBlock>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const NodeBlock& x, const NodeBlock& y) {
+    return x.dim == y.dim && x.entity == y.entity && x.first == y.first && x.count == y.count;
+  });
+}
+
+void hold_names(const Document& document, Holds& holds) {
+  holds.name = [](const GroupName& name) { return is_quotable(name.name); };
+  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(), holds.name);
+}
+
+void hold_data(const Document& document, const MshTags& tags, const std::string& format, bool binary,
+               Holds& holds) {
+  const bool any = !document.node_values.empty() || !document.element_values.empty() ||
+                   !document.element_node_values.empty() || !document.ghost_elements.empty() ||
+                   !document.periodic.empty();
+  const bool nodes_differ = any && (tags.renumber || all_differ(document.node_tags));
+  const bool elements_differ = any && (tags.renumber || all_differ(document.element_tags));
+  const bool short_numbers = binary && format != "msh22";
+  holds.periodic =
+      nodes_differ &&
+      std::all_of(document.periodic.begin(), document.periodic.end(), [&](const PeriodicLink& link) {
+        return link.dim >= 0 && link.dim <= 3 &&
+               (format == "msh41" || link.affine.empty() || link.affine.size() == 16) &&
+               (!short_numbers || (fits_int(link.entity) && fits_int(link.master)));
+      });
+  holds.ghosts = format != "msh22" ? elements_differ || document.ghost_elements.empty()
+                                   : document.ghost_elements.empty() && document.ghosts.empty();
+  for (const GhostElement& ghost : document.ghost_elements)
+    if (short_numbers &&
+        !(fits_int(ghost.partition) && std::all_of(ghost.ghosts.begin(), ghost.ghosts.end(), fits_int)))
+      holds.ghosts = false;
+  if (document.periodic.empty()) holds.periodic = true;
+  holds.values = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
+    if (!values.integers.empty() || !values.labels.empty() || values.components < 1) return false;
+    if (!is_quotable(values.name) || !is_quotable(values.interpolation)) return false;
+    if (!values.of_view && has_step(values)) return false;
+    if (!(of == Of::node ? nodes_differ : elements_differ)) return false;
+    if ((of == Of::element_node) == values.nodes.empty() && values.size() > 0) return false;
+    std::size_t size = of == Of::element_node ? 0 : values.items();
+    for (const std::int32_t nodes : values.nodes) size += static_cast<std::size_t>(nodes);
+    if (size * static_cast<std::size_t>(values.components) != values.reals.size()) return false;
+    for (std::size_t i = 0; binary && i < values.items(); ++i) {
+      const Index at = values.at.empty() ? static_cast<Index>(values.first + i) : values.at[i];
+      if (!fits_int(of == Of::node ? tags.node(at) : tags.element(at))) return false;
+    }
+    return true;
+  };
+  holds.section = [format, binary, tags](const Section& section) {
+    return section.body.ends_with('\n') && keeps_section(section, format, binary) &&
+           !(tags.renumber && contains(data, section.name));
+  };
+}
+
+Holds hold22(const Document& document, bool binary) {
+  const Msh22Limits limits = msh22_limits(document, binary);
+  Holds holds;
+  holds.node_tags = holds.element_tags = !limits.renumber;
+  holds.numbers_all_elements = true;
+  if (limits.renumber)
+    holds.unknown_number = [first = limits.first_unknown](std::size_t k) {
+      return first + static_cast<std::int64_t>(k);
+    };
+  holds.unknown_nodes = true;
+  holds.entities = document.entities.empty();
+  holds.partitions = true;
+  holds.element_entities = true;
+  holds.groups = Holds::Groups::all;
+  for (const ElementBlock& block : document.blocks) {
+    if (block.entity != 0 && block.dim != dimension22(block.type)) holds.element_entities = false;
+  }
+  holds.groups_of = [&document](const ElementBlock& block) {
+    const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    return groups.empty() || (groups[0] != 0 && groups == groups22(document, block));
+  };
+  holds.node_entities = limits.parametric
+                            ? same_runs(runs_of(document.node_blocks, true),
+                                        runs_of(plan_entities(document, false).node_blocks, true))
+                            : document.node_blocks.empty();
+  holds.parameters =
+      std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [&](const NodeBlock& block) {
+        return block.parameters_each == 0 || (limits.parametric && (block.dim == 1 || block.dim == 2) &&
+                                              block.parameters_each == block.dim);
+      });
+  hold_data(document, {&document, limits.renumber, limits.first_unknown}, "msh22", binary, holds);
+  return holds;
+}
+
+bool same(const Entity& a, const Entity& b) {
+  return a.dim == b.dim && a.groups == b.groups && a.tag == b.tag && a.boundary == b.boundary &&
+         a.parent_dim == b.parent_dim && a.parent == b.parent && a.partitions == b.partitions;
+}
+
+// Whether the document's entities come back in their order, with others between them at most.
+bool holds_entities(const Document& document, const std::vector<Entity>& written, const std::string& format) {
+  auto next = written.begin();
+  for (const Entity& entity : document.entities) {
+    next = std::find_if(next, written.end(), [&](const Entity& other) { return same(entity, other); });
+    if (next++ == written.end()) return false;
+    const bool has_box = format == "msh40" || entity.dim > 0 ||
+                         std::equal(entity.box.begin(), entity.box.begin() + 3, entity.box.begin() + 3);
+    if (!has_box || (entity.dim == 0 && !entity.boundary.empty()) ||
+        (entity.parent_dim < 0 && (entity.partitions != 0 || entity.parent != 0)))
+      return false;
+  }
+  return true;
+}
+
+Holds hold4(const Document& document, const std::string& format, bool binary) {
+  const EntityPlan plan = plan_entities(document, false);
+  Holds holds;
+  holds.node_tags = holds.element_tags = holds.unknown_nodes = true;
+  holds.entities = holds_entities(document, plan.entities, format);
+  holds.element_entities = true;
+  std::map<std::pair<int, std::int64_t>, const Entity*> entities;
+  for (const Entity& entity : plan.entities) entities.try_emplace({entity.dim, entity.tag}, &entity);
+  holds.groups = Holds::Groups::all;
+  holds.partitions = holds.partition_count = true;
+  for (std::size_t b = 0; b < document.blocks.size(); ++b) {
+    const ElementBlock& block = document.blocks[b];
+    const Entity& entity = *entities.at({block.dim, plan.block_tags[b]});
+    if (block.entity != 0 && plan.block_tags[b] != block.entity) {
+      if (holds.changed_entities == 0)
+        holds.changed_entity =
+            fmt::format("element {} in entity {} comes into entity {}", document.element_tag(block.first),
+                        block.entity, plan.block_tags[b]);
+      holds.changed_entities += static_cast<std::int64_t>(block.count);
+    }
+    if (entity.groups != block.groups) holds.groups = Holds::Groups::none;
+    if (entity.partitions != block.partitions) holds.partitions = false;
+  }
+  holds.node_entities = same_runs(runs_of(document.node_blocks, false), runs_of(plan.node_blocks, false));
+  holds.parameters =
+      std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [](const NodeBlock& block) {
+        return block.parameters_each == 0 || block.parameters_each == block.dim;
+      });
+  hold_data(document, {&document}, format, binary, holds);
+  return holds;
+}
+
+}  // namespace
+
+bool keeps_section(const Section& section, const std::string& format, bool binary) {
+  if (section.name == "InterpolationScheme") return true;  // always text
+  const bool same_bytes = section.binary == binary && !(section.binary && section.swapped);
+  if (contains(data, section.name)) return same_bytes;
+  if (contains(versioned, section.name)) return same_bytes && section.format == format;
+  return true;  // nobody reads anything into it
+}
+
+bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary) {
+  if (const ElementType* type = element_type(block.type)) return type->nodes == block.nodes_each;
+  return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
+}
+
+Holds msh_holds(const Document& document, const std::string& format, bool binary) {
+  Holds holds = format == "msh22" ? hold22(document, binary) : hold4(document, format, binary);
+  holds.kept_in = "$TetproofSupplement";
+  hold_names(document, holds);
+  holds.nodes_each = [&document, format, binary](const ElementBlock& block) {
+    return msh_holds(document, block, format, binary) ? block.nodes_each : 0;
+  };
+  return holds;
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the .msh reader: each reads one section's content and stops in front of its $End.
+#pragma once
+
+#include "io/document.hpp"
+#include "io/bytes/large_pages.hpp"
+#include "io/msh/msh_data.hpp"
+#include "io/model/node_index.hpp"
+#include "io/msh/numbers.hpp"
+#include "io/model/tag_sets.hpp"
+
+namespace tetproof::io {
+
+// Versions 4.0 and 4.1.
+void read_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
+void read_partitioned_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
+void read_nodes4(Numbers& in, bool v40, Document& document);
+void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index);
+
+// Version 3; nodes and elements after the line with their number.
+void read_entities3(Numbers& in, Document& document, TagSets& sets);
+void read_nodes3(Numbers& in, std::int64_t count, Document& document);
+
+// Versions 1 and 2.0 to 2.2, after the line with the number of nodes.
+void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& document);
+
+/// How a line tells an element's tags: versions 1; 2.0 and 2.1, whose third tag is the partition; 2.2, whose
+/// third tag counts the partitions that follow; 3, where they stand behind the nodes.
+enum class ElementTags { v1, v20, v22, v3 };
+/// After the line with the number of elements. An element that stands once for each of its physical groups
+/// becomes one; `copies` gets the tags of its further appearances.
+void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
+                     TagSets& sets, std::vector<ElementTag>& copies);
+
+/// Warns of what is legal, but suspicious in a document that has been read.
+void warn_of_oddities(Document& document, const std::vector<ElementTag>& copies);
+
+/// Makes room for `more` numbers at the end of `numbers` and returns where they start.
+template <class T>
+std::size_t append(std::vector<T>& numbers, std::size_t more) {
+  const std::size_t start = numbers.size();
+  if (start + more > numbers.capacity()) reserve_in_large_pages(numbers, std::max(start + more, 2 * start));
+  numbers.resize(start + more);
+  return start;
+}
+
+/// InputError unless `document` has fewer nodes than an Index can number.
+void check_node_count(const Numbers& in, std::size_t nodes);
+
+}  // namespace tetproof::io

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/msh/msh_write.hpp"
+
+namespace tetproof::io {
+
+std::string msh_header(const char* version, bool binary) {
+  std::string text = fmt::format("$MeshFormat\n{} {} 8\n", version, binary ? 1 : 0);
+  if (binary) {
+    char one[4];
+    put_raw(one, std::int32_t{1});
+    text.append(one, 4);
+    text += '\n';
+  }
+  return text + "$EndMeshFormat\n";
+}
+
+std::string msh_names(const Document& document) {
+  if (document.group_names.empty()) return {};
+  std::string text = fmt::format("$PhysicalNames\n{}\n", document.group_names.size());
+  for (const GroupName& name : document.group_names)
+    text += fmt::format("{} {} \"{}\"\n", name.dim, name.group, name.name);
+  return text + "$EndPhysicalNames\n";
+}
+
+std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes) {
+  std::string text;
+  for (const Section& section : document.sections) {
+    if (section.before_nodes != before_nodes || !holds.section(section)) continue;
+    text += fmt::format("${}\n{}", section.name, section.body);
+    if (!section.body.empty() && section.body.back() != '\n') text += '\n';
+    text += fmt::format("$End{}\n", section.name);
+  }
+  return text;
+}
+
+}  // namespace tetproof::io

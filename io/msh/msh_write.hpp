@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the writers of .msh share: numbers in text and in binary, and the sections that all versions have
+// alike.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "io/document.hpp"
+#include "io/loss/holds.hpp"
+#include "io/msh/msh.hpp"
+#include "io/bytes/text_output.hpp"
+
+namespace tetproof::io {
+
+inline constexpr std::int64_t largest_int = std::numeric_limits<std::int32_t>::max();
+
+/// The header, with the number 1 in binary.
+std::string msh_header(const char* version, bool binary);
+/// $PhysicalNames; empty if there are none.
+std::string msh_names(const Document& document);
+/// The kept sections that stood before the nodes, or those after them.
+std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes);
+
+/// The numbers under which nodes and elements are written.
+struct MshTags {
+  const Document* document;
+  bool renumber = false;           ///< from 1
+  std::int64_t first_unknown = 0;  ///< then the number of `Document::unknown[0]`
+
+  std::int64_t node(Index i) const {
+    if (!renumber) return document->named(i);
+    return i < 0 ? unknown(i) : std::int64_t{i} + 1;
+  }
+  std::int64_t element_at(std::size_t e) const {
+    return renumber ? static_cast<std::int64_t>(e) + 1 : document->element_tag(e);
+  }
+  std::int64_t element(Index i) const {
+    if (i >= 0) return element_at(static_cast<std::size_t>(i));
+    return renumber ? unknown(i) : document->unknown[static_cast<std::size_t>(-1 - i)];
+  }
+  std::int64_t unknown(Index i) const { return first_unknown - 1 - i; }
+};
+
+/// $Periodic, $GhostElements and the sections of data, as far as `holds` has them.
+void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, const std::string& format,
+                    bool binary);
+
+/// Whether elements of this block can be written: of types that Gmsh's list does not say the nodes of, only
+/// as text, and but for polygons and polyhedra only in the version that they came in.
+bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary);
+
+template <class T>
+char* put_raw(char* to, T value) {
+  std::memcpy(to, &value, sizeof(T));
+  return to + sizeof(T);
+}
+
+/// Numbers one after the other: with blanks between them as text, in binary as they are.
+template <bool Binary>
+struct Putter {
+  /// At most so many bytes for each number, its blank included.
+  static constexpr std::size_t longest = Binary ? 8 : longest_real + 1;
+
+  char* to;
+
+  void integer(std::int64_t value) {
+    if constexpr (Binary)
+      to = put_raw(to, static_cast<std::int32_t>(value));
+    else
+      to = put(put(to, value), ' ');
+  }
+  void size(std::int64_t value) {
+    if constexpr (Binary)
+      to = put_raw(to, value);
+    else
+      to = put(put(to, value), ' ');
+  }
+  void real(double value) {
+    if constexpr (Binary)
+      to = put_raw(to, value);
+    else
+      to = put(put(to, value), ' ');
+  }
+  void end_line() {
+    if constexpr (!Binary) to[-1] = '\n';  // in the place of the last blank
+  }
+};
+
+/// A line of a few numbers as a string: `fill` is given a Putter.
+template <bool Binary, class Fill>
+std::string line(std::size_t numbers, const Fill& fill) {
+  std::string text(numbers * Putter<Binary>::longest + 1, '\0');
+  Putter<Binary> out{text.data()};
+  fill(out);
+  out.end_line();
+  text.resize(out.to - text.data());
+  return text;
+}
+
+/// The least and the largest of `tag(0)` .. `tag(count - 1)`; both 0 if there are none.
+template <class Tag>
+std::pair<std::int64_t, std::int64_t> range_of(std::size_t count, const Tag& tag) {
+  std::int64_t least = 0, most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    least = i == 0 ? tag(i) : std::min(least, tag(i));
+    most = i == 0 ? tag(i) : std::max(most, tag(i));
+  }
+  return {least, most};
+}
+
+/// The same of `count` nodes' or elements' tags from `from` on: `tags`, or if that is empty such as count up
+/// from `first`.
+inline std::pair<std::int64_t, std::int64_t> range_of(const std::vector<std::int64_t>& tags,
+                                                      std::int64_t first, std::size_t from,
+                                                      std::size_t count) {
+  if (!tags.empty() || count == 0) return range_of(count, [&](std::size_t i) { return tags[from + i]; });
+  const std::int64_t start = first + static_cast<std::int64_t>(from);
+  return {start, start + static_cast<std::int64_t>(count - 1)};
+}
+
+}  // namespace tetproof::io

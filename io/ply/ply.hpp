@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The PLY format of surfaces.
+#pragma once
+
+#include "io/bytes/atomic_file.hpp"
+#include "io/document.hpp"
+#include "io/loss/holds.hpp"
+#include "io/bytes/input_file.hpp"
+#include "io/surface/surface_document.hpp"
+
+namespace tetproof::io {
+
+/// Reads PLY: text and both byte orders. Nodes are element `vertex` with x, y, z, numbered from 0; faces are
+/// element `face` with a list `vertex_indices` or `vertex_index`, lines element `edge` with `vertex1` and
+/// `vertex2`; in any order and of any type.
+///  - Their other properties are values, integers where the type is. Several become one where they follow
+///    each other: nx ny nz "normal", red green blue [alpha] "color", s t "texture", NAME_0 NAME_1 ... NAME.
+///    Those of faces and of edges are one where the properties have the same names.
+///  - A face's list `texcoord` of two numbers a corner: values "texture" of elements' nodes.
+///  - Other lists are columns of tables "vertex", "face" and "edge"; other elements are tables. The type of a
+///    column is as the file has it, "float" or "list uchar float".
+///  - Comments are the lines of the title; those that start with "obj_info " were such.
+/// %20 and the like in names stand for a blank, ... Throws InputError. A surface must have element `face`.
+SurfaceDocument read_ply(const InputFile& file, Wanted wanted);
+
+/// PLY as text or binary, little endian; exact: numbers are float or double, uchar, short, int or uint, as
+/// small as can be. All points, faces of three and more corners and then lines, but for those that name nodes
+/// which do not exist, and all else that is read.
+void write_ply(AtomicFile& file, const Document& document, bool binary);
+
+Holds ply_holds(const Document& document, bool binary);
+
+}  // namespace tetproof::io

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers behind the header of a PLY file, the same calls for text and for binary.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "io/bytes/input_file.hpp"
+#include "io/ply/ply_header.hpp"
+#include "io/surface/surface_document.hpp"
+
+namespace tetproof::io {
+
+/// Reads the elements' numbers one after another, text or binary.
+class PlyData {
+ public:
+  PlyData(Scanner& scanner, const PlyHeader& header) : scanner_(scanner), header_(header) {}
+
+  double number(const PlyType& type) {
+    if (header_.text) return scanner_.real_in_line("a number");
+    return type.load(scanner_.raw(type.bytes, "a number").data(), header_.order);
+  }
+  std::int64_t integer(const PlyType& type, const char* expected) {
+    const double value = number(type);
+    if (!(std::abs(value) < 9e15) || value != std::floor(value))
+      fail(fmt::format("expected {}, found {}", expected, value));
+    return static_cast<std::int64_t>(value);
+  }
+  /// The number of a list's entries, no more than the rest of the file can hold.
+  std::size_t entries(const PlyProperty& list) {
+    const double value = number(*list.count);
+    if (!(value >= 0) || value != std::floor(value))
+      fail(fmt::format("expected the number of entries of a list, found {}", value));
+    const std::size_t most =
+        header_.text ? scanner_.remaining() / 2 + 1 : scanner_.remaining() / list.type->bytes;
+    if (value > static_cast<double>(most))
+      fail(fmt::format("list '{}' announces {} entries, more than the {} bytes left can hold",
+                       shown_name(list.name), value, scanner_.remaining()));
+    return static_cast<std::size_t>(value);
+  }
+  /// Checks an element's count against what is left of the file before anybody believes it.
+  void begin(const PlyElement& element) {
+    std::size_t least_bytes = 0;
+    for (const PlyProperty& property : element.properties)
+      least_bytes += header_.text ? 2 : (property.count ? property.count : property.type)->bytes;
+    if (least_bytes == 0) return;
+    const std::size_t most = (scanner_.remaining() + header_.text) / least_bytes;
+    if (static_cast<std::size_t>(element.count) > most)
+      fail(fmt::format("element '{}' announces {} of at least {} bytes, more than the {} bytes left can hold",
+                       shown_name(element.name), element.count, least_bytes, scanner_.remaining()));
+  }
+  /// Where the next instance starts.
+  std::size_t start_instance() {
+    if (header_.text) scanner_.at_end();
+    return scanner_.offset();
+  }
+  void end_instance() {
+    if (!header_.text || scanner_.at_line_end()) return;
+    const std::string_view found = scanner_.word();
+    scanner_.fail("the end of the line", found);
+  }
+  /// Nothing but blanks may follow the last element: a count too small would lose the rest silently.
+  void end(const PlyElement& last) {
+    if (scanner_.at_end()) return;
+    const std::string expected =
+        fmt::format("the end of the file after {} of element '{}'", last.count, shown_name(last.name));
+    if (!header_.text) fail(fmt::format("expected {}, found {} more bytes", expected, scanner_.remaining()));
+    const std::string_view found = scanner_.word();
+    scanner_.fail(expected, found);
+  }
+  std::size_t remaining() const { return scanner_.remaining(); }
+  [[noreturn]] void fail(const std::string& message) const {
+    if (header_.text) scanner_.fail_in_line(message);
+    scanner_.fail_at_byte(message);
+  }
+
+ private:
+  Scanner& scanner_;
+  const PlyHeader& header_;
+};
+
+}  // namespace tetproof::io

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/program/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "io/model/element_types.hpp"
+
+namespace tetproof {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Figures {
+  std::map<int, std::pair<int, std::int64_t>> types;  // nodes each, elements
+  std::array<std::int64_t, 4> entities{};             // by dimension
+  std::map<std::pair<int, std::int64_t>, std::int64_t>
+      groups;  // elements of (dimension, group); a sign only turns them
+  std::map<std::pair<int, std::int64_t>, std::string> names;
+  std::set<std::int64_t> partitions;
+  Eigen::Vector3d low, high;
+  bool has_box = false;
+};
+
+Figures count(const Document& document) {
+  Figures figures;
+  std::set<std::pair<int, std::int64_t>> entities;
+  for (const ElementBlock& block : document.blocks) {
+    auto& [nodes, elements] = figures.types[block.type];
+    nodes = block.nodes_each;
+    elements += static_cast<std::int64_t>(block.count);
+    if (block.entity != 0) entities.insert({block.dim, block.entity});
+    for (std::int64_t group : document.tag_sets[block.groups])
+      figures.groups[{block.dim, std::abs(group)}] += static_cast<std::int64_t>(block.count);
+    const auto& partitions = document.tag_sets[block.partitions];
+    figures.partitions.insert(partitions.begin(), partitions.end());
+  }
+  for (const Entity& entity : document.entities) entities.insert({entity.dim, entity.tag});
+  for (const auto& entity : entities) ++figures.entities[entity.first];
+  for (const GroupName& name : document.group_names) {
+    figures.names[{name.dim, name.group}] = name.name;
+    figures.groups[{name.dim, name.group}];
+  }
+  for (const Eigen::Vector3d& point : document.points) {
+    if (!point.allFinite()) continue;
+    figures.low = figures.has_box ? figures.low.cwiseMin(point).eval() : point;
+    figures.high = figures.has_box ? figures.high.cwiseMax(point).eval() : point;
+    figures.has_box = true;
+  }
+  return figures;
+}
+
+std::pair<std::int64_t, std::int64_t> range(const std::vector<std::int64_t>& tags, std::int64_t first,
+                                            std::size_t n) {
+  if (tags.empty()) return {first, first + static_cast<std::int64_t>(n) - 1};
+  const auto [least, most] = std::minmax_element(tags.begin(), tags.end());
+  return {*least, *most};
+}
+
+const char* shape_of(int type) {
+  static constexpr const char* names[] = {"point",      "line",  "triangle", "quadrangle", "tetrahedron",
+                                          "hexahedron", "prism", "pyramid",  "polygon",    "other"};
+  const io::ElementType* known = io::element_type(type);
+  return names[static_cast<int>(known ? known->shape : io::Shape::other)];
+}
+
+// Parts that are told by their number alone, where there are any.
+std::vector<std::pair<std::string, std::size_t>> parts(const Document& document) {
+  const Voronoi& voronoi = document.voronoi;
+  std::vector<std::pair<std::string, std::size_t>> all{
+      {"entities of ghost elements", document.ghosts.size()},
+      {"ghost elements", document.ghost_elements.size()},
+      {"periodic links", document.periodic.size()},
+      {"facets of several polygons or with holes", document.facets.size()},
+      {"holes", document.holes.size()},
+      {"regions", document.regions.size()},
+      {"bounds of areas", document.area_bounds.size()},
+      {"bounds of lengths", document.length_bounds.size()},
+      {"points of a Voronoi diagram", voronoi.points.size()},
+      {"edges of a Voronoi diagram", voronoi.edges.size()},
+      {"faces of a Voronoi diagram", voronoi.faces.size()},
+      {"cells of a Voronoi diagram", voronoi.cells.size()},
+  };
+  std::erase_if(all, [](const auto& part) { return part.second == 0; });
+  return all;
+}
+
+using ValuesOf = std::pair<const std::vector<Values>*, const char*>;
+std::array<ValuesOf, 3> all_values(const Document& document) {
+  return {{{&document.node_values, "node"},
+           {&document.element_values, "element"},
+           {&document.element_node_values, "element_node"}}};
+}
+
+}  // namespace
+
+std::string describe_text(const Document& document) {
+  const Figures figures = count(document);
+  std::string text = fmt::format("{}: {}\n", document.path, document.format);
+  const std::size_t nodes = document.points.size(), elements = document.elements();
+  text += fmt::format("{:>10} nodes", nodes);
+  if (nodes > 0) {
+    const auto [least, most] = range(document.node_tags, document.first_node, nodes);
+    text += fmt::format(", numbered {} to {}", least, most);
+  }
+  if (figures.has_box)
+    text += fmt::format("\n           in ({}, {}, {}) to ({}, {}, {})", figures.low.x(), figures.low.y(),
+                        figures.low.z(), figures.high.x(), figures.high.y(), figures.high.z());
+  text += fmt::format("\n{:>10} elements", elements);
+  if (elements > 0) {
+    const auto [least, most] = range(document.element_tags, document.first_element, elements);
+    text += fmt::format(", numbered {} to {}", least, most);
+  }
+  text += '\n';
+  for (const auto& [type, what] : figures.types)
+    text += fmt::format("{:>10} of them {} of {} nodes (Gmsh's type {})\n", what.second, shape_of(type),
+                        what.first, type);
+  if (!document.unknown.empty())
+    text += fmt::format("{:>10} numbers of nodes that do not exist, the first {}\n", document.unknown.size(),
+                        document.unknown[0]);
+  for (int dim = 0; dim < 4; ++dim)
+    if (figures.entities[dim] > 0)
+      text += fmt::format("{:>10} entities of dimension {}\n", figures.entities[dim], dim);
+  for (const auto& [key, elements_in] : figures.groups) {
+    const auto name = figures.names.find(key);
+    text += fmt::format("{:>10} elements in group {} of dimension {}{}\n", elements_in, key.second, key.first,
+                        name == figures.names.end() ? "" : fmt::format(" \"{}\"", name->second));
+  }
+  if (!figures.partitions.empty()) text += fmt::format("{:>10} partitions\n", figures.partitions.size());
+  for (const auto& [values, of] : all_values(document))
+    for (const Values& v : *values)
+      text += fmt::format("{:>10} {} with {} value{} \"{}\" each\n", v.items(),
+                          std::string_view(of) == "node" ? "nodes" : "elements", v.components,
+                          v.components == 1 ? "" : "s", v.name);
+  for (const auto& [part, number] : parts(document)) text += fmt::format("{:>10} {}\n", number, part);
+  for (const Table& table : document.tables)
+    text += fmt::format("{:>10} rows of {} columns in table \"{}\"\n", table.rows, table.columns.size(),
+                        table.name);
+  for (const Section& section : document.sections)
+    text += fmt::format("{:>10} bytes in section ${}\n", section.body.size(), section.name);
+  return text;
+}
+
+Json describe_json(const Document& document) {
+  const Figures figures = count(document);
+  Json json{{"file", document.path}, {"format", document.format}};
+  const std::size_t nodes = document.points.size(), elements = document.elements();
+  json["nodes"]["count"] = nodes;
+  if (nodes > 0) {
+    const auto [least, most] = range(document.node_tags, document.first_node, nodes);
+    json["nodes"]["least"] = least;
+    json["nodes"]["largest"] = most;
+  }
+  if (figures.has_box)
+    json["nodes"]["box"] = {{figures.low.x(), figures.low.y(), figures.low.z()},
+                            {figures.high.x(), figures.high.y(), figures.high.z()}};
+  json["elements"]["count"] = elements;
+  if (elements > 0) {
+    const auto [least, most] = range(document.element_tags, document.first_element, elements);
+    json["elements"]["least"] = least;
+    json["elements"]["largest"] = most;
+  }
+  Json types = Json::array();
+  for (const auto& [type, what] : figures.types)
+    types.push_back(
+        {{"type", type}, {"shape", shape_of(type)}, {"nodes", what.first}, {"count", what.second}});
+  json["elements"]["types"] = types;
+  json["unknown_nodes"] = document.unknown.size();
+  json["entities"] = figures.entities;
+  Json groups = Json::array();
+  for (const auto& [key, elements_in] : figures.groups) {
+    Json group{{"dimension", key.first}, {"group", key.second}, {"elements", elements_in}};
+    if (const auto name = figures.names.find(key); name != figures.names.end()) group["name"] = name->second;
+    groups.push_back(group);
+  }
+  json["groups"] = groups;
+  json["partitions"] = figures.partitions.size();
+  for (const auto& [values, of] : all_values(document)) {
+    Json& list = json[fmt::format("{}_values", of)] = Json::array();
+    for (const Values& v : *values)
+      list.push_back({{"name", v.name}, {"components", v.components}, {"items", v.items()}});
+  }
+  Json& others = json["parts"] = Json::object();
+  for (const auto& [part, number] : parts(document)) others[part] = number;
+  json["tables"] = Json::array();
+  for (const Table& table : document.tables)
+    json["tables"].push_back({{"name", table.name}, {"rows", table.rows}, {"columns", table.columns.size()}});
+  if (!document.title.empty()) json["title"] = document.title;
+  json["sections"] = Json::array();
+  for (const Section& section : document.sections)
+    json["sections"].push_back({{"name", section.name}, {"bytes", section.body.size()}});
+  json["warnings"] = document.warnings;
+  return json;
+}
+
+}  // namespace tetproof

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/program/program.hpp"
+
+#include <Eigen/Core>
+
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <tbb/version.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <system_error>
+
+#include "io/bytes/atomic_file.hpp"
+#include "io/error.hpp"
+
+namespace tetproof::program {
+namespace {
+
+std::string version(const std::string& name, const Description& description) {
+  std::string text = fmt::format("{} {}\nfmt {}.{}.{}\nEigen {}.{}.{}\noneTBB {}.{}\nCLI11 {}\n", name,
+                                 TETPROOF_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                                 FMT_VERSION % 100, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                 EIGEN_MINOR_VERSION, TBB_VERSION_MAJOR, TBB_VERSION_MINOR, CLI11_VERSION);
+  for (const std::string& library : description.libraries) text += library + "\n";
+  text.pop_back();
+  return text;
+}
+
+// CLI11 prints examples last, in the footer; ours come first, where a reader in a hurry looks.
+class ExamplesFirst : public CLI::Formatter {
+ public:
+  explicit ExamplesFirst(std::string examples) : examples_(std::move(examples)) { column_width(34); }
+  std::string make_description(const CLI::App* app) const override {
+    return "Examples:\n" + examples_ + "\n" + CLI::Formatter::make_description(app);
+  }
+
+ private:
+  std::string examples_;
+};
+
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const Description& description,
+        const std::function<std::function<int()>(CLI::App&, Common&)>& declare) {
+  std::string name = argc > 0 ? argv[0] : "tetproof";
+  name = name.substr(name.find_last_of('/') + 1);
+  try {
+    CLI::App app{description.purpose, name};
+    app.formatter(std::make_shared<ExamplesFirst>(description.examples));
+    app.option_defaults()->always_capture_default();
+    app.set_version_flag("--version", version(name, description),
+                         "print this program's and its libraries' versions");
+    Common common;
+    const std::function<int()> work = declare(app, common);
+    app.add_option("--json", common.json, "write the result as JSON to FILE; - is standard output")
+        ->type_name("FILE")
+        ->always_capture_default(false);
+    app.add_flag("--quiet,-q", common.quiet, "no talk on standard error, but for errors");
+    app.add_option("--threads", common.threads, "threads to use; 0: all")
+        ->type_name("N")
+        ->check(CLI::Range(0, 4096));
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+      throw InputError(one_line(error.what()) + fmt::format(" (see {} --help)", name));
+    }
+    const std::size_t threads =
+        common.threads > 0 ? static_cast<std::size_t>(common.threads)
+                           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    if (!common.json.empty() && common.json != "-") check_creatable(common.json);
+    return work();
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}: {}\n", name, one_line(error.what()));
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "{}: out of memory\n", name);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: internal error, please report it with the command and the input: {}\n", name,
+               one_line(error.what()));
+  }
+  return own_failure;
+}
+
+void say(const Common& common, const std::string& line) {
+  if (!common.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
+    : shares_(std::move(shares)), start_(std::chrono::steady_clock::now()) {
+  if (!common.quiet && ::isatty(STDERR_FILENO)) line_ = std::thread([this] { show(); });
+}
+
+void Progress::enter(std::string_view phase) {
+  const std::lock_guard lock(mutex_);
+  phase_ = phase;
+  done_ = 0;
+  for (const auto& [name, share] : shares_) {
+    if (name == phase) break;
+    done_ += share;
+  }
+}
+
+void Progress::end() {
+  if (!line_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_one();
+  line_.join();
+}
+
+void Progress::show() {
+  using namespace std::chrono_literals;
+  bool shown = false;
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, shown ? 250ms : 2000ms, [&] { return ended_; })) {
+    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    // Early on the estimate would be mostly the shares' own error.
+    const std::string rest =
+        done_ >= 0.1 && done_ < 1 ? fmt::format(", about {:.0f} s left", so_far / done_ - so_far) : "";
+    fmt::print(stderr, "\r\x1b[K{}: {:.0f} s{}", phase_, so_far, rest);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) {
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+  }
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+      throw InputError(fmt::format("standard output: cannot write: {}", std::strerror(errno)));
+    return;
+  }
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace tetproof::program

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "io/bytes/byte_order.hpp"
+#include "io/model/element_types.hpp"
+#include "io/error.hpp"
+#include "io/stl/stl.hpp"
+#include "io/stl/stl_solids.hpp"
+#include "io/model/tag_sets.hpp"
+#include "io/model/weld.hpp"
+
+namespace tetproof::io {
+namespace {
+
+bool same_word(std::string_view word, std::string_view lower) {
+  if (word.size() != lower.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if ((word[i] >= 'A' && word[i] <= 'Z' ? word[i] - 'A' + 'a' : word[i]) != lower[i]) return false;
+  return true;
+}
+
+void expect(Scanner& scanner, std::string_view lower) {
+  const std::string_view word = scanner.word();
+  if (!same_word(word, lower)) scanner.fail(fmt::format("'{}'", lower), word);
+}
+
+// How many facets a binary file of this size holds; none if it is text.
+std::optional<std::size_t> binary_facets(const InputFile& file) {
+  const std::string_view bytes = file.bytes();
+  if (bytes.size() >= stl_header_bytes) {
+    const std::size_t announced = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
+    const std::size_t facets = (bytes.size() - stl_header_bytes) / stl_facet_bytes;
+    const bool whole = (bytes.size() - stl_header_bytes) % stl_facet_bytes == 0;
+    if (whole && (announced == facets || announced == 0)) return facets;
+    // No text has a zero byte: a binary file that lost its end, or its count.
+    if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
+      throw InputError(
+          fmt::format("{}: byte 80: expected {} bytes for the {} facets announced here, found {}",
+                      file.path(), stl_header_bytes + stl_facet_bytes * announced, announced, bytes.size()));
+  }
+  return {};
+}
+
+class Reader {
+ public:
+  Reader(const InputFile& file, Wanted wanted) : file_(file), surface_(wanted == Wanted::surface) {
+    document_.path = file.path(), document_.format = "stl";
+  }
+
+  SurfaceDocument read() {
+    if (const auto facets = binary_facets(file_))
+      read_binary(*facets);
+    else
+      read_text();
+    return finish();
+  }
+
+ private:
+  struct Solid {
+    std::string line;  // what stands behind "solid"
+    std::size_t facets = 0;
+  };
+
+  void read_binary(std::size_t facets) {
+    source_.text = false;
+    if (!surface_) {
+      document_.title = stl_title(file_.bytes().substr(0, 80));
+      if (load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little) != facets)
+        warn(fmt::format("byte 80: 0 facets are announced, and {} are there", facets));
+    }
+    Values attributes{.name = "attribute"};
+    points_.reserve(3 * facets);
+    for (std::size_t i = 0; i < facets; ++i) {
+      const char* const facet = file_.bytes().data() + stl_header_bytes + stl_facet_bytes * i;
+      const auto three = [](const char* from) {
+        return Eigen::Vector3d(load<float>(from, std::endian::little),
+                               load<float>(from + 4, std::endian::little),
+                               load<float>(from + 8, std::endian::little));
+      };
+      for (int corner = 1; corner <= 3; ++corner) points_.push_back(three(facet + 12 * corner));
+      if (surface_) continue;
+      check_normal(three(facet), static_cast<std::size_t>(facet - file_.bytes().data()));
+      const auto attribute = load<std::uint16_t>(facet + 48, std::endian::little);
+      if (attribute != 0 && attributes.integers.empty()) attributes.integers.resize(i);
+      if (attribute != 0 || !attributes.integers.empty()) attributes.integers.push_back(attribute);
+    }
+    solids_.push_back({"", facets});
+    if (!attributes.integers.empty()) document_.element_values.push_back(std::move(attributes));
+  }
+
+  // From behind "facet" to behind "endfacet".
+  void read_facet(Scanner& scanner, std::size_t place) {
+    std::string_view word = scanner.word();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    if (same_word(word,
+                  "normal")) {  // three words that are often no numbers; some writers put "-nan(ind)" there
+      word = scanner.word();
+      for (int k = 0; k < 3 && !same_word(word, "outer"); ++k) {
+        if (!surface_ && !parse_real(word, normal[k])) normal[k] = std::nan("");
+        word = scanner.word();
+      }
+    }
+    if (!same_word(word, "outer")) scanner.fail("'outer loop'", word);
+    expect(scanner, "loop");
+    int vertices = 0;
+    while (same_word(word = scanner.word(), "vertex")) {
+      Eigen::Vector3d point;
+      for (int k = 0; k < 3; ++k) point[k] = scanner.real("a coordinate");
+      if (++vertices <= 3) points_.push_back(point);
+    }
+    if (!same_word(word, "endloop")) scanner.fail("'vertex' or 'endloop'", word);
+    if (vertices != 3) scanner.fail_in_line(fmt::format("facet has {} vertices, expected 3", vertices));
+    expect(scanner, "endfacet");
+    if (!surface_) check_normal(normal, place);
+  }
+
+  void read_text() {
+    Scanner scanner(file_);
+    std::string_view word = scanner.word();
+    if (!same_word(word, "solid") && !same_word(word, "facet")) scanner.fail("'solid'", word);
+    for (; !word.empty(); word = scanner.word()) {
+      const std::size_t place = scanner.offset() - word.size();
+      if (same_word(word, "facet")) {
+        if (solids_.empty()) solids_.emplace_back();
+        read_facet(scanner, place);
+        ++solids_.back().facets;
+      } else if (same_word(word, "solid")) {
+        solids_.push_back({stl_title(scanner.rest_of_line()), 0});
+      } else if (same_word(word, "endsolid")) {
+        scanner.rest_of_line();  // its name again, or none
+      } else {
+        scanner.fail("'facet', 'endsolid' or 'solid'", word);
+      }
+    }
+  }
+
+  // Whether it points against the last three corners.
+  void check_normal(const Eigen::Vector3d& normal, std::size_t place) {
+    const Eigen::Vector3d* p = points_.data() + points_.size() - 3;
+    if (!(normal.dot((p[1] - p[0]).cross(p[2] - p[0])) < 0)) return;
+    if (against_++ == 0) first_against_ = place;
+  }
+
+  SurfaceDocument finish() {
+    if (points_.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+      throw InputError(
+          fmt::format("{}: {} facets, at most 715827882 can be numbered", file_.path(), points_.size() / 3));
+    document_.connectivity = weld(points_);
+    document_.points = std::move(points_);
+    std::vector<std::string> lines;
+    for (const Solid& solid : solids_) lines.push_back(solid.line);
+    const std::vector<StlGroup> groups = groups_of_solids(lines);
+    TagSets sets(document_);
+    std::set<std::pair<std::int64_t, std::string>> named;
+    std::size_t first = 0;
+    for (std::size_t s = 0; s < solids_.size(); ++s) {
+      if (!groups[s].name.empty() && named.insert({groups[s].number, groups[s].name}).second)
+        document_.group_names.push_back({2, groups[s].number, groups[s].name});
+      if (solids_[s].facets == 0) continue;
+      document_.blocks.push_back({.type = triangle3,
+                                  .dim = 2,
+                                  .groups = groups[s].number == 0 ? 0 : sets({groups[s].number}),
+                                  .nodes_each = 3,
+                                  .count = solids_[s].facets,
+                                  .first = first,
+                                  .nodes = 3 * first});
+      first += solids_[s].facets;
+    }
+    if (against_ > 0) {
+      const Scanner scanner(file_.path(), file_.bytes(), first_against_);
+      warn(fmt::format(
+          "the normals of {} facets point against the order of their corners (first: {}); they are not kept",
+          against_,
+          source_.text ? fmt::format("line {}", scanner.line()) : fmt::format("byte {}", first_against_)));
+    }
+    source_.document = std::move(document_);
+    if (surface_) source_.places.resize(first);  // nothing can be wrong with a triangle
+    source_.welded = true;
+    return std::move(source_);
+  }
+
+  void warn(const std::string& what) {
+    document_.warnings.push_back(fmt::format("{}: {}", file_.path(), what));
+  }
+
+  const InputFile& file_;
+  const bool surface_;
+  Document document_;
+  SurfaceDocument source_;
+  std::vector<Eigen::Vector3d> points_;  // three of each facet
+  std::vector<Solid> solids_;
+  std::size_t against_ = 0, first_against_ = 0;
+};
+
+}  // namespace
+
+SurfaceDocument read_stl(const InputFile& file, Wanted wanted) {
+  return Reader(file, wanted).read();
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "io/model/document_positions.hpp"
+#include "io/bytes/large_pages.hpp"
+#include "io/supplement/supplement.hpp"
+#include "io/supplement/supplement_words.hpp"
+
+namespace tetproof::io {
+namespace {
+
+// A block of the original document, and what the native part has of it.
+struct Block {
+  ElementBlock block;
+  int kind = 0;
+  bool written = false, native = false;
+  std::vector<Index> listed;  // connectivity, if it is not native
+};
+
+class Joiner {
+ public:
+  Joiner(Decoder& in, Document& native) : in_(in), native_(native) {}
+
+  void join() {
+    for (std::string_view name = in_.word(); !name.empty(); name = in_.word()) field(name);
+    if (const char* wrong = misplaced(native_)) in_.fail(fmt::format("{} do not fit the file", wrong));
+  }
+
+ private:
+  void field(std::string_view name) {
+    Document& d = native_;
+    if (name == "unknown") {
+      unknown();
+    } else if (name == "tag_sets") {
+      in_(d.tag_sets);
+    } else if (name == "blocks") {
+      blocks();
+    } else if (name == "node_tags") {
+      in_(d.first_node, d.node_tags);
+    } else if (name == "element_tags") {
+      in_(d.first_element, d.element_tags);
+    } else if (name == "node_blocks") {
+      in_(d.node_blocks, d.parameters);
+    } else if (name == "entities") {
+      in_(d.entities);
+    } else if (name == "groups") {
+      in_(d.group_names);
+    } else if (name == "partitions") {
+      in_(d.partitions, d.ghosts);
+    } else if (name == "ghost_elements") {
+      in_(d.ghost_elements);
+      for (GhostElement& ghost : d.ghost_elements) rename(ghost.element);
+    } else if (name == "periodic") {
+      in_(d.periodic);
+      for (PeriodicLink& link : d.periodic)
+        for (auto& pair : link.nodes) rename(pair[0]), rename(pair[1]);
+    } else if (name == "node_values") {
+      all_values(d.node_values);
+    } else if (name == "element_values") {
+      all_values(d.element_values);
+    } else if (name == "element_node_values") {
+      all_values(d.element_node_values);
+    } else if (name == "facets") {
+      in_(d.facets);
+    } else if (name == "holes") {
+      in_(d.holes);
+    } else if (name == "regions") {
+      in_(d.regions);
+    } else if (name == "bounds") {
+      in_(d.area_bounds, d.length_bounds);
+      for (LengthBound& bound : d.length_bounds) rename(bound.nodes[0]), rename(bound.nodes[1]);
+    } else if (name == "voronoi") {
+      in_(d.voronoi);
+    } else if (name == "tables") {
+      in_(d.tables);
+    } else if (name == "title") {
+      in_(d.title);
+    } else if (name == "sections") {
+      sections();
+    } else {
+      in_.fail(fmt::format("expected the name of a field, found '{}'", name.substr(0, 40)));
+    }
+  }
+
+  // The document's unknown numbers, under which the native part has them, and where they come to stand now.
+  void unknown() {
+    std::vector<std::int64_t> numbers, written;
+    in_(numbers, written);
+    if (written.size() != numbers.size()) in_.fail("two lists of unknown numbers differ in length");
+    std::map<std::int64_t, std::size_t> place;
+    for (std::size_t k = 0; k < native_.unknown.size(); ++k) place.emplace(native_.unknown[k], k);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto [found, is_new] = place.try_emplace(written[k], native_.unknown.size());
+      if (is_new) native_.unknown.push_back(0);
+      native_.unknown[found->second] = numbers[k];
+      renamed_.push_back(-1 - static_cast<Index>(found->second));
+    }
+  }
+
+  // A position as the document had it, as it is now.
+  void rename(Index& i) const {
+    if (i >= 0) return;
+    const auto k = static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i));
+    if (k >= renamed_.size()) in_.fail(fmt::format("there is no unknown number {}", k));
+    i = renamed_[k];
+  }
+
+  void blocks() {
+    std::vector<Block> all(in_.count());
+    for (Block& b : all) {
+      in_(b.block, b.kind, b.written, b.native);
+      if (b.block.nodes_each < 1) in_.fail("an element has at least one node");
+      if (b.native) continue;
+      const auto each = static_cast<std::size_t>(b.block.nodes_each);
+      for (std::size_t e = 0; e < b.block.count; ++e)
+        for (std::size_t k = 0; k < each; ++k) {
+          in_(b.listed.emplace_back());
+          rename(b.listed.back());
+        }
+    }
+    find_native(all);
+    put_together(all);
+  }
+
+  // The native part has the blocks by kind: where does each one's connectivity stand?
+  void find_native(const std::vector<Block>& all) {
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return all[a].kind < all[b].kind; });
+    source_.assign(all.size(), 0);
+    std::size_t at = 0;    // in the native block `from`, how many of its elements are used up
+    std::size_t from = 0;  // native block
+    const auto& blocks = native_.blocks;
+    for (const std::size_t b : order) {
+      if (!all[b].written) continue;
+      std::size_t left = all[b].block.count;
+      bool first = true;
+      while (left > 0) {
+        if (from == blocks.size()) in_.fail("the file has fewer elements than its supplement speaks of");
+        const ElementBlock& native = blocks[from];
+        if (all[b].native && native.nodes_each != all[b].block.nodes_each)
+          in_.fail("the file has other elements than its supplement speaks of");
+        if (first) source_[b] = native.nodes + at * static_cast<std::size_t>(native.nodes_each);
+        first = false;
+        const std::size_t used = std::min(left, native.count - at);
+        left -= used, at += used;
+        if (at == native.count) ++from, at = 0;
+      }
+    }
+    if (from != blocks.size()) in_.fail("the file has more elements than its supplement speaks of");
+  }
+
+  void put_together(std::vector<Block>& all) {
+    std::vector<ElementBlock> blocks;
+    std::size_t elements = 0, nodes = 0;
+    bool as_it_is = true;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      ElementBlock block = all[b].block;
+      block.first = elements, block.nodes = nodes;
+      as_it_is = as_it_is && all[b].native && source_[b] == nodes;
+      elements += block.count, nodes += block.count * static_cast<std::size_t>(block.nodes_each);
+      blocks.push_back(block);
+    }
+    if (!as_it_is && !reorder(all)) {
+      std::vector<Index> connectivity;
+      reserve_in_large_pages(connectivity, nodes);
+      for (std::size_t b = 0; b < all.size(); ++b) {
+        const std::size_t size = blocks[b].count * static_cast<std::size_t>(blocks[b].nodes_each);
+        const Index* from = all[b].native ? native_.connectivity.data() + source_[b] : all[b].listed.data();
+        connectivity.insert(connectivity.end(), from, from + size);
+      }
+      native_.connectivity = std::move(connectivity);
+    }
+    native_.blocks = std::move(blocks);
+  }
+
+  // Brings the native connectivity into the order of the blocks without a second one, which would be most of
+  // the memory that a large file takes. False, and nothing was done, where it has not all that is wanted, or
+  // only piecemeal.
+  bool reorder(const std::vector<Block>& all) {
+    constexpr std::size_t most_runs = 16;
+    struct Run {
+      std::size_t from, size;
+    };
+    std::vector<Run> runs;
+    std::size_t total = 0;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      const std::size_t size = all[b].block.count * static_cast<std::size_t>(all[b].block.nodes_each);
+      if (!all[b].native) return false;
+      if (size == 0) continue;
+      if (!runs.empty() && runs.back().from + runs.back().size == source_[b])
+        runs.back().size += size;
+      else
+        runs.push_back({source_[b], size});
+      total += size;
+    }
+    if (total != native_.connectivity.size() || runs.size() > most_runs) return false;
+    const auto begin = native_.connectivity.begin();
+    const auto place = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+    for (std::size_t r = 0, at = 0; r < runs.size(); at += runs[r++].size) {
+      std::rotate(place(at), place(runs[r].from), place(runs[r].from + runs[r].size));
+      for (std::size_t later = r + 1; later < runs.size(); ++later)
+        if (runs[later].from < runs[r].from) runs[later].from += runs[r].size;
+    }
+    return true;
+  }
+
+  // Those whose numbers the native part has stand there in the same order, maybe among others.
+  void all_values(std::vector<Values>& all) {
+    std::vector<Values> joined(in_.count());
+    auto next = all.begin();
+    for (Values& values : joined) {
+      bool native = false;
+      in_(values, native);
+      for (Index& i : values.at) rename(i);
+      if (!native) {
+        in_(values.reals, values.integers);
+        continue;
+      }
+      const auto is_it = [&](const Values& v) {
+        return v.name == values.name && v.components == values.components;
+      };
+      next = std::find_if(next, all.end(), is_it);
+      if (next == all.end())  // the document had them in another order
+        next =
+            std::find_if(all.begin(), all.end(), [&](const Values& v) { return is_it(v) && v.size() > 0; });
+      if (next == all.end()) in_.fail(fmt::format("the file has no values \"{}\"", values.name));
+      values.reals = std::move(next->reals);
+      values.integers = std::move(next->integers);
+      ++next;
+    }
+    all = std::move(joined);
+  }
+
+  void sections() {
+    std::vector<Section> joined(in_.count());
+    for (Section& section : joined) {
+      bool native = false;
+      in_(section, native);
+      if (!native) {
+        in_(section.body);
+        continue;
+      }
+      // The writer has put them before or after the nodes.
+      const auto found = std::find_if(
+          native_.sections.begin(), native_.sections.end(),
+          [&](const Section& s) { return s.name == section.name && s.before_nodes == section.before_nodes; });
+      if (found == native_.sections.end()) in_.fail(fmt::format("the file has no section ${}", section.name));
+      section.body = std::move(found->body);
+      found->name.clear();
+    }
+    native_.sections = std::move(joined);
+  }
+
+  Decoder& in_;
+  Document& native_;
+  std::vector<Index> renamed_;       // of unknown numbers
+  std::vector<std::size_t> source_;  // where in the native connectivity each block starts
+};
+
+}  // namespace
+
+std::vector<Checksum> read_supplement_head(std::string_view lines, Document& native) {
+  Decoder in(lines.substr(0, lines.find('\n')), native.path);
+  if (in.word() != "tetproof" || in.word() != "1") {
+    native.warnings.push_back(
+        fmt::format("{}: the supplement is of a version that is not known here: it is ignored", native.path));
+    return {};
+  }
+  std::vector<Checksum> checksums;
+  for (std::string_view ending = in.word(); !ending.empty(); ending = in.word()) {
+    Checksum& checksum = checksums.emplace_back();
+    if (ending != "this") checksum.ending = ending;
+    const std::string_view digits = in.word();
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), checksum.crc32, 16);
+    if (error != std::errc() || end != digits.data() + digits.size()) in.fail("expected a checksum");
+  }
+  return checksums;
+}
+
+bool has_no_element_values(std::string_view lines) {
+  return lines.find("\nelement_values 0\n") != lines.npos;  // names of fields start their lines
+}
+
+void take_back(std::string_view lines, const std::string& place, Document& native) {
+  if (lines.empty()) return;
+  const std::size_t head = lines.find('\n');
+  Decoder in(head == lines.npos ? std::string_view{} : lines.substr(head), place);
+  Joiner(in, native).join();
+}
+
+}  // namespace tetproof::io

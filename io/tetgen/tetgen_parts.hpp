@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the reader of TetGen's files, each of which adds to one document.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+#include "io/tetgen/tetgen_records.hpp"
+
+namespace tetproof::io {
+
+/// Elements of one kind in a document that is being read, and the file that told them.
+struct TetgenElements {
+  std::string path;
+  std::size_t first = 0, count = 0;
+  std::size_t nodes = 0;  ///< where their connectivity starts
+  int nodes_each = 0;     ///< 0: there is no such file
+};
+
+/// What the first line of a .node, .poly or .smesh says.
+struct TetgenNodeHeader {
+  std::int64_t count = 0, attributes = 0;
+  bool marked = false;
+};
+TetgenNodeHeader read_node_header(Records&);
+/// The nodes; the document has none yet.
+void read_nodes(Records&, const TetgenNodeHeader&, Document&);
+/// A .node file.
+void read_node_file(const std::string& path, Document&);
+
+/// An .ele, .face or .edge file whose first line was read, and what it comes to.
+struct TetgenElementFile {
+  const char *one, *many;  ///< "tetrahedron", "tetrahedra"
+  const char* number;      ///< "the number of a tetrahedron"
+  int corners = 4;
+  std::size_t count = 0;
+  int nodes_each = 4, attributes = 0;
+  bool marked = false;
+  int tets = 0;             ///< columns of -nn: the tetrahedra at an element
+  bool with_values = true;  ///< attributes and markers are kept
+};
+TetgenElementFile read_ele_header(Records&);
+/// `tets`: nodes of each tetrahedron beside it, 0 if there are none; what else the columns may be hangs on
+/// it.
+TetgenElementFile read_face_header(Records&, int tets);
+/// `others`: nodes of each tetrahedron, or else 10 or 4 as the faces are of second order or not.
+TetgenElementFile read_edge_header(Records&, int others);
+TetgenElements read_elements(Records&, const TetgenElementFile&, NodeIndex&, Document&);
+
+/// Integers, so many for each of the elements, from a file that has a first line (.neigh) or none (.t2f,
+/// .t2e, .f2e).
+void read_element_integers(Records&, const TetgenElements&, const char* many, const char* name, int each,
+                           bool has_header, Document&);
+void read_volume_bounds(Records&, const TetgenElements& tets, Document&);
+void read_sizes(Records&, const std::string& node_path, Document&);
+void read_bounds(Records&, NodeIndex&, Document&);
+
+/// The files `stem`.v.node, .v.edge, .v.face and .v.cell.
+void read_voronoi(const std::string& stem, Document&);
+
+/// A .poly or a .smesh; whether its points are in the .node. `places`: the byte where each polygon stands, if
+/// asked for.
+bool read_plc(Records&, const std::string& node_path, bool smesh, Document&,
+              std::vector<std::size_t>* places = nullptr);
+
+}  // namespace tetproof::io

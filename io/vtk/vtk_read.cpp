@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sections of VTK's legacy files: points, cells, and their data.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/bytes/tokens.hpp"
+#include "io/vtk/vtk.hpp"
+#include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_legacy.hpp"
+#include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_words.hpp"
+
+namespace tetproof::io {
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const InputFile& file) : in_(file) {
+    document_.path = file.path();
+    document_.format = "vtk";
+    document_.first_node = document_.first_element = 0;
+  }
+
+  Document read() {
+    header();
+    while (!in_.at_end()) section(in_.word());
+    if (!has_points_ && (!piece_.ends.empty() || !lists_.empty())) in_.fail("POINTS", {});
+    polygons();
+    if (types_.empty() && !piece_.ends.empty() && lists_.empty()) in_.fail("CELL_TYPES", {});
+    piece_.types.insert(piece_.types.end(), types_.begin(), types_.end());
+    check_data(piece_.cell_data, piece_.types.size(), "cells");
+    check_data(piece_.point_data, piece_.points.size(), "points");
+    add_vtk_piece(document_, std::move(piece_), true);
+    return std::move(document_);
+  }
+
+ private:
+  void header() {
+    const std::string_view first = in_.rest_of_line();
+    if (!lower_case(first).starts_with("# vtk datafile version")) in_.fail("# vtk DataFile Version", first);
+    in_.next_line();
+    document_.title = in_.rest_of_line();
+    in_.next_line();
+    const std::string_view kind = in_.word();
+    const std::string name = lower_case(kind);
+    if (name != "ascii" && name != "binary") in_.fail("ASCII or BINARY", kind);
+    if (name == "binary") in_.set_binary();
+  }
+
+  void section(std::string_view word) {
+    const std::string name = lower_case(word);
+    if (name == "dataset") return dataset();
+    if (name == "field") return field();
+    if (name == "metadata") return metadata();
+    if (name == "point_data" || name == "cell_data") {
+      items_ = in_.integer("a number of items");
+      if (items_ < 0) in_.fail_in_line(fmt::format("expected a number of items, found {}", items_));
+      data_ = name == "point_data" ? &piece_.point_data : &piece_.cell_data;
+      return;
+    }
+    if (!has_dataset_) in_.fail("DATASET or FIELD", word);
+    if (name == "points") return points();
+    if (name == "cells") return in_.cells(piece_.connectivity, piece_.ends);
+    if (name == "cell_types") return cell_types();
+    if (name == "vertices" || name == "lines" || name == "polygons" || name == "triangle_strips") {
+      List list{.type = name == "vertices"   ? vtk_poly_vertex
+                        : name == "lines"    ? vtk_poly_line
+                        : name == "polygons" ? vtk_polygon
+                                             : vtk_strip};
+      in_.cells(list.connectivity, list.ends);
+      lists_.push_back(std::move(list));
+      return;
+    }
+    if (!data_) in_.fail("POINTS, CELLS, CELL_TYPES, POINT_DATA or CELL_DATA", word);
+    attribute(name, word);
+  }
+
+  void dataset() {
+    const std::string_view word = in_.word();
+    const std::string kind = lower_case(word);
+    if (kind != "unstructured_grid" && kind != "polydata") in_.fail("UNSTRUCTURED_GRID or POLYDATA", word);
+    has_dataset_ = true;
+  }
+
+  void points() {
+    const std::int64_t count = in_.count("the number of points", in_.binary() ? 3 : 6);
+    if (count > std::numeric_limits<Index>::max())
+      in_.fail_in_line(fmt::format("{} points are more than the {} that can be numbered here", count,
+                                   std::numeric_limits<Index>::max()));
+    Column coordinates{.type = in_.type()};
+    if (coordinates.type == "String" || coordinates.type == "bit") in_.fail_in_line("points are numbers");
+    in_.numbers(coordinates, 3 * static_cast<std::size_t>(count));
+    has_points_ = true;
+    piece_.points.resize(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < 3 * piece_.points.size(); ++i)
+      piece_.points[i / 3][static_cast<Eigen::Index>(i % 3)] = number_at<double>(coordinates, i);
+  }
+
+  void cell_types() {
+    const std::int64_t count = in_.count("the number of cell types", 1);
+    Column types{.type = "Int32"};
+    in_.integers(types, static_cast<std::size_t>(count));
+    types_ = std::move(types.integers);
+    if (types_.size() != piece_.ends.size())
+      in_.fail_in_line(
+          fmt::format("expected the types of {} cells, found {}", piece_.ends.size(), types_.size()));
+  }
+
+  // Vertices, lines, polygons and strips, which is the order that cell data go by.
+  void polygons() {
+    for (const VtkCellType type : {vtk_poly_vertex, vtk_poly_line, vtk_polygon, vtk_strip})
+      for (const List& list : lists_) {
+        if (list.type != type) continue;
+        const auto start = static_cast<std::int64_t>(piece_.connectivity.size());
+        piece_.connectivity.insert(piece_.connectivity.end(), list.connectivity.begin(),
+                                   list.connectivity.end());
+        for (const std::int64_t end : list.ends) piece_.ends.push_back(start + end);
+        piece_.types.insert(piece_.types.end(), list.ends.size(), type);
+      }
+  }
+
+  void attribute(const std::string& name, std::string_view word) {
+    if (name == "lookup_table") return lookup_table();
+    struct Kind {
+      std::string_view name;
+      int components;  // 0: a number in the line says it
+    };
+    static constexpr Kind kinds[] = {{"scalars", 1},      {"vectors", 3},      {"normals", 3},
+                                     {"tensors", 9},      {"tensors6", 6},     {"texture_coordinates", 0},
+                                     {"global_ids", 1},   {"pedigree_ids", 1}, {"edge_flags", 1},
+                                     {"color_scalars", 0}};
+    const auto kind =
+        std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
+    if (kind == std::end(kinds)) in_.fail("an attribute of points or cells", word);
+    Column column{.name = vtk_decoded(in_.word())};
+    column.components = kind->components;
+    if (name == "color_scalars") return colors(column);
+    if (kind->components == 0) column.components = in_.components();
+    column.type = in_.type();
+    if (name == "scalars") {
+      if (!in_.at_line_end()) column.components = in_.components();
+      if (in_.next_word() == "lookup_table") {
+        in_.word();
+        in_.word();
+      }
+    }
+    in_.numbers(column, size_of_data(column));
+    data_->push_back(std::move(column));
+  }
+
+  void colors(Column& column) {
+    column.components = in_.components();
+    column.type = "UInt8";
+    in_.colors(column, size_of_data(column));
+    data_->push_back(std::move(column));
+  }
+
+  // How many values the points or cells have in a column, which the rest of the file can hold.
+  std::size_t size_of_data(const Column& column) const {
+    const auto each = static_cast<std::size_t>(column.components), items = static_cast<std::size_t>(items_);
+    in_.check_room(items, each);
+    return items * each;
+  }
+
+  void lookup_table() {
+    Column column{.name = vtk_decoded(in_.word()), .type = "UInt8", .components = 4};
+    const std::int64_t size = in_.count("the size of a lookup table", 4);
+    in_.colors(column, 4 * static_cast<std::size_t>(size));
+    add_vtk_field(document_, std::move(column));
+  }
+
+  void field() {
+    in_.word();  // the field's name, which no one uses
+    const std::int64_t arrays = in_.count("the number of arrays", 4);
+    for (std::int64_t a = 0; a < arrays; ++a) {
+      std::string_view word = in_.word();
+      while (lower_case(word) == "metadata") {
+        metadata();
+        word = in_.word();
+      }
+      if (word.empty()) in_.fail("the name of an array", word);
+      if (word == "NULL_ARRAY") continue;
+      Column column{.name = vtk_decoded(word)};
+      const std::int64_t each = in_.integer("the number of components"),
+                         items = in_.integer("the number of tuples");
+      if (each < 0 || items < 0 || each > std::numeric_limits<std::int32_t>::max())
+        in_.fail_in_line(
+            fmt::format("expected numbers of components and tuples, found {} and {}", each, items));
+      column.components = std::max(1, static_cast<int>(each));
+      column.type = in_.type();
+      in_.check_room(static_cast<std::size_t>(items), static_cast<std::size_t>(each));
+      in_.numbers(column, static_cast<std::size_t>(each * items));
+      if (!data_)
+        add_vtk_field(document_, std::move(column));
+      else if (items == items_)
+        data_->push_back(std::move(column));
+      else
+        in_.fail_in_line(
+            fmt::format("array \"{}\": expected {} tuples, found {}", column.name, items_, items));
+    }
+  }
+
+  // Up to an empty line.
+  void metadata() {
+    in_.next_line();
+    while (in_.remaining() > 0 && !in_.ends_line()) in_.next_line();
+  }
+
+  void check_data(const std::vector<Column>& data, std::size_t items, const char* what) const {
+    for (const Column& column : data)
+      if (column_size(column) != items * static_cast<std::size_t>(column.components))
+        in_.fail_in_line(fmt::format("array \"{}\": expected values of {} {}, found {}", column.name, items,
+                                     what,
+                                     column_size(column) / static_cast<std::size_t>(column.components)));
+  }
+
+  struct List {
+    VtkCellType type;
+    std::vector<std::int64_t> connectivity{}, ends{};
+  };
+
+  VtkLegacyScanner in_;
+  Document document_;
+  VtkPiece piece_;
+  bool has_dataset_ = false, has_points_ = false;
+  std::vector<std::int64_t> types_;
+  std::vector<List> lists_;
+  std::vector<Column>* data_ = nullptr;
+  std::int64_t items_ = 0;
+};
+
+}  // namespace
+
+Document read_vtk(const InputFile& file) {
+  return Reader(file).read();
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Facts: VTK's wiki, "VTK XML Formats", and what VTK 9.1 writes.
+#include "io/vtk/vtu_data.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <vector>
+
+#include "io/bytes/byte_order.hpp"
+#include "io/bytes/input_file.hpp"
+#include "io/vtk/vtk_types.hpp"
+
+namespace tetproof::io {
+namespace {
+
+// Bytes of the file, raw or in base64. VTK encodes header and data in one go or each by itself, so that
+// padding may stand in between.
+class Source {
+ public:
+  Source(const VtuEncoding& file, const VtuPlace& place)
+      : file_(file), base64_(place.kind == VtuPlace::base64), at_(place.begin), end_(place.end) {}
+
+  /// The next `size` bytes, until the next call.
+  std::string_view take(std::uint64_t size, const char* what) {
+    const std::uint64_t most = base64_ ? rest_.size() + (end_ - at_) / 4 * 3 + 3 : end_ - at_;
+    if (size > most) fail(fmt::format("expected {} bytes of {}, found {} at most", size, what, most));
+    if (!base64_) {
+      at_ += size;
+      return file_.bytes.substr(at_ - size, size);
+    }
+    taken_ = rest_;
+    rest_.clear();
+    taken_.reserve(size + 3);
+    while (taken_.size() < size)
+      if (!decode_quad()) fail(fmt::format("expected {} bytes of {}, found {}", size, what, taken_.size()));
+    rest_ = taken_.substr(size);
+    taken_.resize(size);
+    return taken_;
+  }
+
+  std::uint64_t number(const char* what) {
+    const std::string_view bytes = take(static_cast<std::uint64_t>(file_.header_size), what);
+    return file_.header_size == 8 ? load<std::uint64_t>(bytes.data(), file_.order)
+                                  : load<std::uint32_t>(bytes.data(), file_.order);
+  }
+
+  bool empty() {
+    while (base64_ && at_ < end_ && static_cast<unsigned char>(file_.bytes[at_]) <= ' ') ++at_;
+    return at_ == end_ && rest_.empty();
+  }
+
+  [[noreturn]] void fail(std::string_view message) const {
+    Scanner(file_.path, file_.bytes, std::min(at_, file_.bytes.size())).fail_at_byte(message);
+  }
+
+ private:
+  // Four characters to three bytes or, where they end in =, to less.
+  bool decode_quad() {
+    static constexpr auto values = [] {
+      std::array<signed char, 256> table{};
+      table.fill(-1);
+      signed char next = 0;
+      for (const char c : base64_digits) table[static_cast<unsigned char>(c)] = next++;
+      return table;
+    }();
+    unsigned bits = 0;
+    int digits = 0, padding = 0;
+    while (digits + padding < 4) {
+      if (at_ == end_) {
+        if (digits + padding > 0) fail("expected four characters of base64, found the end of the data");
+        return false;
+      }
+      const auto c = static_cast<unsigned char>(file_.bytes[at_]);
+      if (c == '=' && digits > 1) {
+        ++padding;
+      } else if (values[c] >= 0 && padding == 0) {
+        bits = bits << 6 | static_cast<unsigned>(values[c]);
+        ++digits;
+      } else if (c > ' ') {
+        fail(fmt::format("expected base64, found {}",
+                         c < 127 ? fmt::format("'{}'", static_cast<char>(c)) : fmt::format("byte {}", c)));
+      }
+      ++at_;
+    }
+    bits <<= 6 * padding;
+    for (int k = 0; k < 3 - padding; ++k) taken_ += static_cast<char>(bits >> (16 - 8 * k) & 255);
+    return true;
+  }
+
+  const VtuEncoding& file_;
+  const bool base64_;
+  std::size_t at_, end_;
+  std::string taken_, rest_;
+};
+
+// Takes an array's bytes piece by piece.
+class Sink {
+ public:
+  Sink(const VtuEncoding& file, Column& column) : file_(file), column_(column) {}
+
+  void put(std::string_view bytes) {
+    const std::size_t size = std::max<std::size_t>(1, vtk_type_size(column_.type));
+    if (column_.type == "String") {
+      for (const char c : bytes)
+        c == '\0' ? column_.texts.push_back(std::move(text_)), text_.clear() : text_.push_back(c);
+      return;
+    }
+    while (!half_.empty() && !bytes.empty()) {  // a number over the border of two blocks
+      half_ += bytes.front();
+      bytes.remove_prefix(1);
+      if (half_.size() < size) continue;
+      append_numbers(half_.data(), 1, file_.order, column_);
+      half_.clear();
+    }
+    append_numbers(bytes.data(), bytes.size() / size, file_.order, column_);
+    half_ += bytes.substr(bytes.size() / size * size);
+  }
+
+  bool whole() const { return half_.empty() && text_.empty(); }
+
+ private:
+  const VtuEncoding& file_;
+  Column& column_;
+  std::string half_, text_;
+};
+
+void check_size(const Source& source, std::uint64_t bytes, std::optional<std::size_t> count,
+                const Column& column) {
+  if (count && column.type != "String" && bytes != *count * vtk_type_size(column.type))
+    source.fail(fmt::format("array \"{}\": expected {} values of type {} in {} bytes, found {} bytes",
+                            column.name, *count, column.type, *count * vtk_type_size(column.type), bytes));
+}
+
+void read_compressed(const VtuEncoding& file, Source& source, std::optional<std::size_t> count, Sink& sink,
+                     const Column& column) {
+  const std::uint64_t blocks = source.number("the number of blocks"), full = source.number("a block's size"),
+                      partial = source.number("the last block's size");
+  if (blocks == 0) return check_size(source, 0, count, column);
+  const auto header = static_cast<std::uint64_t>(file.header_size);
+  if (blocks > file.bytes.size() / header)
+    source.fail(fmt::format("expected the number of blocks, found {}, more than the file can hold", blocks));
+  std::vector<std::uint64_t> sizes(blocks);
+  for (std::uint64_t& size : sizes) size = source.number("a compressed block's size");
+  const std::uint64_t last = partial == 0 ? full : partial;
+  // zlib makes nothing smaller than to a 1032nd.
+  constexpr std::uint64_t ratio = 1032, slack = 64;
+  for (std::uint64_t b = 0; b < blocks; ++b)
+    if ((b + 1 < blocks ? full : last) / ratio > sizes[b] + slack || sizes[b] > file.bytes.size())
+      source.fail(fmt::format("expected the size of a compressed block of {} bytes, found {}",
+                              b + 1 < blocks ? full : last, sizes[b]));
+  check_size(source, (blocks - 1) * full + last, count, column);
+  std::string block;
+  for (std::uint64_t b = 0; b < blocks; ++b) {
+    block.resize(b + 1 < blocks ? full : last);
+    const std::string_view packed = source.take(sizes[b], "a compressed block");
+    auto got = static_cast<uLongf>(block.size());
+    const int state =
+        ::uncompress(reinterpret_cast<Bytef*>(block.data()), &got,
+                     reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size()));
+    if (state != Z_OK || got != block.size())
+      source.fail(fmt::format("expected {} bytes compressed by zlib, found {}", block.size(),
+                              state == Z_OK ? fmt::format("{}", got) : "other data"));
+    sink.put(block);
+  }
+}
+
+void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<std::size_t> count,
+                Column& column) {
+  Scanner in(file.path, file.bytes.substr(0, place.end), place.begin);
+  const std::size_t most = count.value_or(std::numeric_limits<std::size_t>::max());
+  std::size_t found = 0;
+  for (std::string text; !in.at_end(); ++found) {
+    if (found == most && column.type != "String")
+      in.fail_in_line(fmt::format("array \"{}\": expected {} values, found more", column.name, most));
+    if (is_real_type(column.type)) {
+      column.reals.push_back(in.real("a number"));
+    } else if (column.type == "UInt64") {
+      const std::string_view word = in.word();
+      std::uint64_t value = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (error != std::errc() || end != word.data() + word.size()) in.fail("an integer", word);
+      column.integers.push_back(static_cast<std::int64_t>(value));
+    } else if (column.type == "String") {
+      const std::int64_t c = in.integer("the code of a character");
+      if (c < 0 || c > 255) in.fail_in_line(fmt::format("expected the code of a character, found {}", c));
+      if (c == 0)
+        column.texts.push_back(std::move(text)), text.clear();
+      else
+        text.push_back(static_cast<char>(c));
+    } else {
+      column.integers.push_back(in.integer("an integer"));
+    }
+  }
+  if (count && column_size(column) != *count)
+    in.fail_in_line(
+        fmt::format("array \"{}\": expected {} values, found {}", column.name, *count, column_size(column)));
+}
+
+}  // namespace
+
+void read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place, std::optional<std::size_t> count,
+                    Column& column) {
+  if (place.kind == VtuPlace::ascii) return read_ascii(encoding, place, count, column);
+  Source source(encoding, place);
+  Sink sink(encoding, column);
+  if (source.empty() && (!count || *count == 0)) return;
+  if (encoding.compressed) {
+    read_compressed(encoding, source, count, sink, column);
+  } else {
+    const std::uint64_t size = source.number("an array's size");
+    check_size(source, size, count, column);
+    sink.put(source.take(size, "an array"));
+  }
+  if (!sink.whole() || (count && column_size(column) != *count))
+    source.fail(fmt::format("array \"{}\": expected whole values of type {}{}", column.name, column.type,
+                            count ? fmt::format(", {} of them", *count) : ""));
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VTK's XML files, written by hand: their bulk is numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "io/bytes/text_output.hpp"
+#include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtu.hpp"
+#include "io/vtk/vtu_data.hpp"
+#include "io/bytes/xml_text.hpp"
+
+namespace tetproof::io {
+namespace {
+
+char* put_base64(char* to, const unsigned char* from, std::size_t size) {
+  for (; size >= 3; size -= 3, from += 3, to += 4) {
+    const unsigned bits = from[0] << 16 | from[1] << 8 | from[2];
+    for (int k = 0; k < 4; ++k) to[k] = base64_digits[bits >> (18 - 6 * k) & 63];
+  }
+  if (size > 0) {
+    const unsigned bits = from[0] << 16 | (size > 1 ? from[1] << 8 : 0);
+    to[0] = base64_digits[bits >> 18 & 63];
+    to[1] = base64_digits[bits >> 12 & 63];
+    to[2] = size > 1 ? base64_digits[bits >> 6 & 63] : '=';
+    to[3] = '=';
+    to += 4;
+  }
+  return to;
+}
+
+// Whether the texts can be told from each other: each ends with a zero byte.
+bool are_writable(std::span<const std::string> texts) {
+  return std::none_of(texts.begin(), texts.end(),
+                      [](const std::string& text) { return text.find('\0') != std::string::npos; });
+}
+
+class Writer {
+ public:
+  Writer(AtomicFile& file, const Document& document, bool binary)
+      : file_(file), document_(document), binary_(binary), mesh_(vtk_mesh(document, "entity")) {}
+
+  void write() {
+    file_.write(
+        fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+                    "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
+    if (!mesh_.field_data.empty()) data("FieldData", mesh_.field_data);
+    file_.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+                            document_.points.size(), mesh_.elements.size()));
+    numbers<double>("Points", "Float64", 3, false, 3 * document_.points.size(),
+                    [&](std::size_t i) { return document_.points[i / 3][static_cast<int>(i % 3)]; });
+    file_.write("</Points>\n<Cells>\n");
+    numbers<std::int64_t>("connectivity", "Int64", 1, false, mesh_.connectivity.size(),
+                          [&](std::size_t i) { return mesh_.connectivity[i]; });
+    numbers<std::int64_t>("offsets", "Int64", 1, false, mesh_.ends.size(),
+                          [&](std::size_t i) { return mesh_.ends[i]; });
+    numbers<unsigned char>("types", "UInt8", 1, false, mesh_.types.size(),
+                           [&](std::size_t i) { return mesh_.types[i]; });
+    file_.write("</Cells>\n");
+    data("PointData", mesh_.point_data);
+    data("CellData", mesh_.cell_data);
+    file_.write("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  }
+
+ private:
+  void data(const char* tag, const std::vector<VtkArray>& arrays) {
+    file_.write(fmt::format("<{}>\n", tag));
+    for (const VtkArray& array : arrays) {
+      const bool counted = &arrays == &mesh_.field_data;
+      if (array.type == "String") {
+        if (are_writable(array.texts)) strings(array);
+      } else {
+        with_number_type(array.type, [&](auto like) {
+          using T = decltype(like);
+          numbers<T>(array.name, array.type, array.components, counted, array.size(), [&](std::size_t i) {
+            return array.integers.empty() ? static_cast<T>(array.reals[i])
+                                          : static_cast<T>(array.integers[i]);
+          });
+        });
+      }
+    }
+    file_.write(fmt::format("</{}>\n", tag));
+  }
+
+  void start(const char* tag, const std::string& name, const std::string& type, int components, bool counted,
+             std::size_t count) {
+    file_.write(fmt::format(
+        "<{} type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", tag, type,
+        xml_escaped(name), components,
+        counted ? fmt::format(" NumberOfTuples=\"{}\"", count / static_cast<std::size_t>(components)) : "",
+        binary_ ? "binary" : "ascii"));
+  }
+
+  void strings(const VtkArray& array) {
+    std::string bytes;
+    for (const std::string& text : array.texts) (bytes += text) += '\0';
+    start("Array", array.name, "String", array.components, true, array.texts.size());
+    values<unsigned char>(bytes.size(), [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); });
+    file_.write("</Array>\n");
+  }
+
+  // `value(i)` of type T for i in 0 .. count-1.
+  template <class T, class Value>
+  void numbers(const std::string& name, const std::string& type, int components, bool counted,
+               std::size_t count, const Value& value) {
+    start("DataArray", name, type, components, counted, count);
+    values<T>(count, value);
+    file_.write("</DataArray>\n");
+  }
+
+  template <class T, class Value>
+  void values(std::size_t count, const Value& value) {
+    if (binary_) {
+      // Groups of three values make whole groups of three bytes, so that no padding stands inside.
+      const std::uint64_t bytes = count * sizeof(T);
+      char header[12];
+      file_.write(
+          {header, static_cast<std::size_t>(
+                       put_base64(header, reinterpret_cast<const unsigned char*>(&bytes), 8) - header)});
+      write_items(file_, (count + 2) / 3, 4 * sizeof(T), [&](std::size_t group, char* to) {
+        T three[3];
+        const std::size_t from = 3 * group, size = std::min<std::size_t>(3, count - from);
+        for (std::size_t k = 0; k < size; ++k) three[k] = static_cast<T>(value(from + k));
+        return put_base64(to, reinterpret_cast<const unsigned char*>(three), size * sizeof(T));
+      });
+      file_.write("\n");
+    } else {
+      write_items(file_, count, longest_real + 1, [&](std::size_t i, char* to) {
+        if constexpr (std::is_floating_point_v<T>)
+          return put(put(to, static_cast<double>(value(i))), '\n');
+        else if constexpr (std::is_same_v<T, std::uint64_t>)
+          return put(std::to_chars(to, to + longest_integer, static_cast<std::uint64_t>(value(i))).ptr, '\n');
+        else
+          return put(put(to, static_cast<std::int64_t>(value(i))), '\n');
+      });
+    }
+  }
+
+  AtomicFile& file_;
+  const Document& document_;
+  const bool binary_;
+  const VtkMesh mesh_;
+};
+
+}  // namespace
+
+void write_vtu(AtomicFile& file, const Document& document, bool binary) {
+  Writer(file, document, binary).write();
+}
+
+Holds vtu_holds(const Document& document, bool) {
+  Holds holds = vtk_holds_common(document);
+  holds.values = [common = holds.values](const Values& values, Of of) {
+    return common(values, of) && is_xml_text(values.name);
+  };
+  holds.numbers = [common = holds.numbers](const Values& values, Of of) {
+    return is_xml_text(values.name) ? common(values, of) : std::nullopt;
+  };
+  holds.table = [common = holds.table](const Table& table) {
+    return common(table) && is_xml_text(table.name) && are_writable(table.columns[0].texts);
+  };
+  return holds;
+}
+
+std::string vtu_warning(const std::string& path, const Document& document, bool binary) {
+  if (binary) return {};
+  const std::string where = first_place_of([](double value) { return std::isinf(value) && value < 0; },
+                                           document, vtk_mesh(document, "entity"));
+  return where.empty() ? ""
+                       : fmt::format("{}: {} has -inf, which VTK itself reads in text as inf", path, where);
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/engine/adaptation/parametric.hpp"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Geometry>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+
+#include "reference/engine/adaptation/boundary_faces.hpp"
+#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/exact.hpp"
+#include "reference/engine/adaptation/triangulation.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 cgal_point(const Eigen::Vector3d& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Barycentric coordinates of a point of the triangle's plane.
+Eigen::Vector3d barycentric(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double area = normal.squaredNorm();
+  const double b = (p - t[0]).cross(t[2] - t[0]).dot(normal) / area;
+  const double c = (t[1] - t[0]).cross(p - t[0]).dot(normal) / area;
+  return {1 - b - c, b, c};
+}
+
+}  // namespace
+
+struct TrueSurface::Tree {
+  const TriangleSurface& surface;
+  Triangles triangles;
+  AabbTree tree;
+};
+
+TrueSurface::TrueSurface(const TriangleSurface& surface) : tree_(new Tree{surface, {}, {}}) {
+  if (!surface.evaluate || surface.parameters.size() != surface.triangles.size())
+    throw std::logic_error("the surface has no parametric definition");
+  for (const auto& [a, b, c] : surface.triangles)
+    tree_->triangles.emplace_back(cgal_point(surface.vertices[a]), cgal_point(surface.vertices[b]),
+                                  cgal_point(surface.vertices[c]));
+  tree_->tree.insert(tree_->triangles.cbegin(), tree_->triangles.cend());
+  tree_->tree.accelerate_distance_queries();
+}
+
+TrueSurface::~TrueSurface() = default;
+
+Eigen::Vector3d TrueSurface::operator()(const Eigen::Vector3d& point) const {
+  const auto primitive = tree_->tree.closest_point_and_primitive(cgal_point(point)).second;
+  const auto triangle = primitive - tree_->triangles.cbegin();
+  const auto& [a, b, c] = tree_->surface.triangles[triangle];
+  const auto& x = tree_->surface.vertices;
+  const std::array corners{x[a], x[b], x[c]};
+  const Eigen::Vector3d weights = barycentric(corners, closest_point(corners, point));
+  const auto& [ua, ub, uc] = tree_->surface.parameters[triangle];
+  const Eigen::Vector3d mapped = tree_->surface.evaluate(weights[0] * ua + weights[1] * ub + weights[2] * uc);
+  return mapped.allFinite() ? mapped : point;
+}
+
+namespace {
+
+// For each point the tetrahedra, or faces, that have it.
+template <class Simplex>
+class Stars {
+ public:
+  Stars(const std::vector<Simplex>& simplices, std::size_t points) : first_(points + 1, 0) {
+    for (const Simplex& simplex : simplices)
+      for (const Index p : simplex) ++first_[p + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    members_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t s = 0; s < simplices.size(); ++s)
+      for (const Index p : simplices[s]) members_[next[p]++] = s;
+  }
+  std::span<const std::size_t> of(std::size_t point) const {
+    return std::span(members_).subspan(first_[point], first_[point + 1] - first_[point]);
+  }
+
+ private:
+  std::vector<std::size_t> first_, members_;
+};
+
+std::vector<std::array<Index, 3>> boundary_of(const Grid& grid) {
+  const Triangulation triangulation(grid.mesh, grid.on_surface);
+  std::vector<std::array<Index, 3>> boundary;
+  for (Index t = 0; t < triangulation.numbers(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (triangulation.neighbour(t, f) < 0) {
+        const auto& [i, j, k] = tet_faces[f];
+        const Corners& tet = triangulation.corners(t);
+        boundary.push_back({tet[i], tet[j], tet[k]});
+      }
+  return boundary;
+}
+
+}  // namespace
+
+std::vector<MappedPoint> move_surface_points(Grid& grid, const TrueSurface& surface) {
+  TetMesh& mesh = grid.mesh;
+  const std::vector<std::array<Index, 3>> boundary = boundary_of(grid);
+  const Stars tets(mesh.tets, mesh.points.size());
+  const Stars faces(boundary, mesh.points.size());
+  const auto face = [&](std::size_t f) {
+    const auto& [a, b, c] = boundary[f];
+    return BoundaryFace{boundary[f], {mesh.points[a], mesh.points[b], mesh.points[c]}};
+  };
+  double longest = 0;
+  for (std::size_t f = 0; f < boundary.size(); ++f) {
+    const auto corners = face(f).corners;
+    longest = std::max(longest, (corners[1] - corners[0]).norm());
+  }
+  BoundaryFaces places(longest);
+  for (std::size_t f = 0; f < boundary.size(); ++f) places.add(face(f));
+
+  const auto positive = [&](std::size_t t) {
+    const auto& [a, b, c, d] = mesh.tets[t];
+    return orientation(mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]) > 0;
+  };
+  const auto add = [&](std::size_t f) { places.add(face(f)); };
+  const auto remove = [&](std::size_t f) { places.remove(face(f)); };
+  const auto all = [](const BoundaryFace&) { return true; };
+  std::vector<MappedPoint> mapped;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    if (!grid.on_surface[p]) continue;
+    const Eigen::Vector3d from = mesh.points[p], to = surface(from);
+    if (to == from) continue;
+    const auto around = tets.of(p);
+    const auto star = faces.of(p);
+    std::for_each(star.begin(), star.end(), remove);
+    mesh.points[p] = to;
+    bool moved = std::all_of(around.begin(), around.end(), positive);
+    for (std::size_t f = 0; moved && f < star.size(); ++f) {
+      moved = !places.meets(face(star[f]), all);
+      for (std::size_t g = 0; moved && g < f; ++g) moved = !faces_meet(face(star[f]), face(star[g]));
+    }
+    if (!moved) mesh.points[p] = from;
+    std::for_each(star.begin(), star.end(), add);
+    mapped.push_back({static_cast<Index>(p), from, to, moved});
+  }
+  return mapped;
+}
+
+}  // namespace tetproof::reference

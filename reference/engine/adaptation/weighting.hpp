@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step (v): what a tetrahedron weighs, from the surface vertex closest to its centroid.
+#pragma once
+
+#include <vector>
+
+#include "io/triangle_surface.hpp"
+#include "reference/engine/adaptation/vertex_tree.hpp"
+#include "reference/engine/adaptation/weights.hpp"
+
+namespace tetproof::reference {
+
+/// A tetrahedron as section 3 sees it.
+struct Weight {
+  double d;        ///< eq. (3.2) [length]
+  double kappa;    ///< absolute curvature at the closest surface vertex [1/length]; 0 without curvature
+  double omega;    ///< eq. (3.6); 1 without curvature
+  double volume;   ///< [length^3]
+  double desired;  ///< eq. (3.1) of omega d
+  double error;    ///< eq. (3.3)
+};
+
+/// The surface's vertices with their curvatures, and the law of volumes.
+class Weighting {
+ public:
+  /// Without curvature the distance is not weighted (reading D15).
+  Weighting(const TriangleSurface& surface, bool curvature);
+
+  void set_law(const VolumeLaw& law) { law_ = law; }
+  const VolumeLaw& law() const { return law_; }
+  bool with_curvature() const { return !kappas_.empty(); }
+  double kappa_min() const { return kappa_min_; }
+  double kappa_max() const { return kappa_max_; }
+  const std::vector<double>& kappas() const { return kappas_; }
+
+  /// Eq. (3.2). `within`: a distance at which a surface vertex is known to be.
+  double distance(const std::array<Eigen::Vector3d, 4>& corners,
+                  double within = std::numeric_limits<double>::infinity()) const;
+  /// The rest, from the distance.
+  Weight weigh(const std::array<Eigen::Vector3d, 4>& corners, double distance) const;
+
+  /// No tetrahedron of this volume whose centroid lies within `reach` of a place at distance `d` has a
+  /// smaller error: the distance of eq. (3.2) grows by at most as much as its argument moves, and eq. (3.1)
+  /// is monotone.
+  double least_error(double volume, double d, double reach) const;
+
+ private:
+  VertexTree tree_;
+  std::vector<double> kappas_;
+  double kappa_min_ = 0, kappa_max_ = 0;
+  VolumeLaw law_{1, 1, 1, 1};
+};
+
+}  // namespace tetproof::reference

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/engine/first_grid/extract.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "reference/engine/first_grid/row_choice.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+using Eigen::Vector3d;
+using namespace tables;
+
+constexpr int first_row_of(std::string_view name) {
+  int r = 0;
+  while (table2[r].name != name) ++r;
+  return r;
+}
+constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5"), case_14 = first_row_of("14");
+
+constexpr std::uint8_t used = 1, surface_point = 2;
+constexpr double tie = 1e-12;  // relative: lengths of two diagonals that differ by rounding (reading D9)
+
+// The tetrahedra of one layer of cells. Points are named by lattice vertex, then by number of lattice
+// vertices + number of the cut; a centroid by -1 - its number in the layer.
+struct Layer {
+  std::vector<std::array<Index, 4>> tets;
+  std::vector<std::uint32_t> lattice_tet;
+  std::vector<Vector3d> centroids;
+  std::vector<std::uint32_t> centroid_of;
+  std::array<std::int64_t, table2.size()> rows{};
+  std::int64_t collapsed = 0;
+};
+
+class Extraction {
+ public:
+  Extraction(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled,
+             Diagonals diagonals, const std::function<bool(const Vector3d&)>& keep_case_5)
+      : lattice_(lattice),
+        indicators_(indicators),
+        settled_(settled),
+        diagonals_(diagonals),
+        keep_case_5_(keep_case_5),
+        marks_(lattice.vertices() + indicators.cuts.points.size(), 0),
+        lattice_rows_(lattice.tets(), case_1) {
+    for (int bits = 0; bits < 8; ++bits) offsets_[bits] = lattice.offset(bits);
+  }
+
+  Grid run() {
+    std::vector<Layer> layers(lattice_.cells[2]);
+    tbb::parallel_for(0, lattice_.cells[2], [&](int k) { cut_layer(k, layers[k]); });
+    return assemble(layers);
+  }
+
+ private:
+  struct LatticeTet {
+    Vertex base;
+    const std::array<int, 4>* corners;
+    SortedVertices sorted;
+    std::array<Index, 11> name;  // of each RowPoint that its row may name
+  };
+
+  void cut_layer(int k, Layer& layer) {
+    const auto [nx, ny, nz] = lattice_.cells;
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const Vertex base = lattice_.vertex(i, j, k);
+        const auto cell = static_cast<std::uint32_t>(i + nx * (j + static_cast<std::int64_t>(ny) * k));
+        std::array<std::int8_t, 8> sign;
+        int outside = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          sign[corner] = indicators_.sign[base + offsets_[corner]];
+          outside += sign[corner] < 0;
+        }
+        if (outside == 8) {
+          layer.rows[case_1] += 6;
+          continue;
+        }
+        for (std::uint32_t t = 0; t < 6; ++t) cut_tet(base, 6 * cell + t, sign, layer);
+      }
+  }
+
+  void cut_tet(Vertex base, std::uint32_t number, const std::array<std::int8_t, 8>& sign, Layer& layer) {
+    const std::array<int, 4>& corners = kuhn_tets[number % 6];
+    const SortedVertices sorted =
+        sort_vertices({sign[corners[0]], sign[corners[1]], sign[corners[2]], sign[corners[3]]});
+    int row = sorted.first_row;
+    lattice_rows_[number] = static_cast<std::uint8_t>(row);
+    if (table2[row].size == 0) {
+      ++layer.rows[row];
+      return;
+    }
+    LatticeTet tet{base, &corners, sorted, {}};
+    for (int v = 0; v < 4; ++v) tet.name[v] = base + offsets_[corners[sorted.order[v]]];
+    if (row == case_5 && !keep_case_5_(0.25 * (place(tet.name[0]) + place(tet.name[1]) + place(tet.name[2]) +
+                                               place(tet.name[3])))) {
+      lattice_rows_[number] = Grid::case_5_dropped;
+      return;
+    }
+    for (int p = 0; p < 6; ++p)
+      if (table1_possible(row, p)) tet.name[p12 + p] = cut(tet, p);
+    row = choose_row(row, diagonals(tet));
+    ++layer.rows[row];
+    lattice_rows_[number] = static_cast<std::uint8_t>(row);
+    if (table2[row].size == 8) {
+      tet.name[c] = -1 - static_cast<Index>(layer.centroids.size());
+      Vector3d sum = Vector3d::Zero();
+      for (const RowPoint p : {v1, v2, v3, p14, p24, p34}) sum += place(tet.name[p]);
+      layer.centroids.push_back(sum / 6);
+      layer.centroid_of.push_back(number);
+    }
+    for (int t = 0; t < table2[row].size; ++t) emit(tet, row, t, kuhn_signs[number % 6], number, layer);
+  }
+
+  void emit(const LatticeTet& from, int row, int t, int lattice_sign, std::uint32_t number, Layer& layer) {
+    std::array<Index, 4> tet;
+    for (int v = 0; v < 4; ++v) tet[v] = from.name[table2[row].tets[t][v]];
+    for (int a = 0; a < 4; ++a)
+      for (int b = a + 1; b < 4; ++b)
+        if (tet[a] == tet[b]) {
+          ++layer.collapsed;
+          return;
+        }
+    if (listed_orientation(row, t) * from.sorted.sign * lattice_sign < 0) std::swap(tet[2], tet[3]);
+    for (const Index p : tet)
+      if (p >= 0) mark(p, used);
+    layer.tets.push_back(tet);
+    layer.lattice_tet.push_back(number);
+  }
+
+  static bool table1_possible(int row, int p) {
+    static constexpr auto possible = [] {
+      std::array<std::array<bool, 6>, table2.size()> all{};
+      for (std::size_t r = 0; r < table2.size(); ++r)
+        for (const Table1Row& one : table1)
+          if (one.indicators == table2[r].indicators)
+            for (int q = 0; q < 6; ++q) all[r][q] = one.possible[q] == y;
+      return all;
+    }();
+    return possible[row][p];
+  }
+
+  // The name of the cut on one of the tetrahedron's edges: a point of its own, or the end that was 0 before
+  // Table 3 (reading D7).
+  Index cut(const LatticeTet& tet, int p) {
+    static constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+    const auto [i, e] = ends[p];  // v_i is inside, v_e outside
+    const Vertex interior = tet.name[i], exterior = tet.name[e];
+    Vertex end = exterior;
+    if (indicators_.initial[exterior] != 0) {
+      const int a = (*tet.corners)[tet.sorted.order[i]], b = (*tet.corners)[tet.sorted.order[e]];
+      const std::int64_t own = indicators_.cuts.find(Edge{std::min(interior, exterior)} * 8 + (a ^ b));
+      if (own >= 0) {
+        const auto name = static_cast<Index>(lattice_.vertices() + own);
+        mark(name, surface_point);
+        return name;
+      }
+      if (indicators_.initial[interior] != 0)
+        throw std::logic_error(
+            "a lattice edge between outside and inside has no intersection with the surface");
+      end = interior;
+    }
+    mark(end, surface_point);
+    return end;
+  }
+
+  unsigned diagonals(const LatticeTet& tet) const {
+    if (diagonals_ == Diagonals::lowest) return choose_lowest(tet.sorted.first_row);
+    const Quads& quads = shared_quads(tet.sorted.first_row);
+    unsigned from_the_first = 0;
+    for (int q = 0; q < quads.size; ++q) {
+      const Quad& quad = quads.quads[q];
+      const double first = (place(tet.name[quad.vi]) - place(tet.name[quad.pje])).squaredNorm();
+      const double second = (place(tet.name[quad.vj]) - place(tet.name[quad.pie])).squaredNorm();
+      from_the_first |= static_cast<unsigned>(first <= second * (1 + 2 * tie)) << q;
+    }
+    return from_the_first;
+  }
+  // v1 .. v3 ascend in number where their indicators tie, so the lower-numbered end of each diagonal is its
+  // quadrilateral's first.
+  static unsigned choose_lowest(int first_row) { return (1u << shared_quads(first_row).size) - 1; }
+
+  Vector3d place(Index name) const {
+    if (name >= lattice_.vertices()) return indicators_.cuts.points[name - lattice_.vertices()];
+    if (indicators_.sign[name] == 0) {
+      const auto at = std::lower_bound(settled_.vertices.begin(), settled_.vertices.end(), name);
+      if (at != settled_.vertices.end() && *at == name)
+        return settled_.points[at - settled_.vertices.begin()];
+    }
+    return lattice_.point(name);
+  }
+
+  void mark(Index name, std::uint8_t what) {
+    std::atomic_ref<std::uint8_t> there(marks_[name]);
+    if ((there.load(std::memory_order_relaxed) & what) != what)
+      there.fetch_or(what, std::memory_order_relaxed);
+  }
+
+  Grid assemble(std::vector<Layer>& layers) {
+    Grid grid;
+    std::vector<Index> number(marks_.size(), -1);
+    const auto add_point = [&](const Vector3d& p, Origin origin, std::int64_t source, bool surface) {
+      grid.mesh.points.push_back(p);
+      grid.origins.push_back(origin);
+      grid.sources.push_back(source);
+      grid.on_surface.push_back(surface);
+    };
+    for (Index name = 0; name < static_cast<Index>(marks_.size()); ++name) {
+      if (!(marks_[name] & used)) continue;
+      number[name] = static_cast<Index>(grid.mesh.points.size());
+      if (name < lattice_.vertices())
+        add_point(place(name), Origin::lattice_vertex, name,
+                  indicators_.sign[name] == 0 || (marks_[name] & surface_point));
+      else
+        add_point(place(name), Origin::cut, name - lattice_.vertices(), true);
+    }
+    std::vector<std::size_t> first_tet;
+    std::vector<Index> first_centroid;
+    std::size_t tets = 0;
+    for (const Layer& layer : layers) {
+      first_tet.push_back(tets);
+      first_centroid.push_back(static_cast<Index>(grid.mesh.points.size()));
+      tets += layer.tets.size();
+      for (std::size_t q = 0; q < layer.centroids.size(); ++q)
+        add_point(layer.centroids[q], Origin::centroid, layer.centroid_of[q], false);
+      for (std::size_t r = 0; r < grid.rows.size(); ++r) grid.rows[r] += layer.rows[r];
+      grid.collapsed += layer.collapsed;
+    }
+    grid.mesh.tets.resize(tets);
+    grid.lattice_tet.resize(tets);
+    tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t k) {
+      for (std::size_t t = 0; t < layers[k].tets.size(); ++t) {
+        std::array<Index, 4> tet = layers[k].tets[t];
+        for (Index& p : tet) p = p < 0 ? first_centroid[k] + (-1 - p) : number[p];
+        grid.mesh.tets[first_tet[k] + t] = tet;
+        grid.lattice_tet[first_tet[k] + t] = layers[k].lattice_tet[t];
+      }
+      layers[k] = {};
+    });
+    grid.lattice_rows = std::move(lattice_rows_);
+    return grid;
+  }
+
+  const Lattice& lattice_;
+  const Indicators& indicators_;
+  const SurfaceVertices& settled_;
+  Diagonals diagonals_;
+  const std::function<bool(const Vector3d&)>& keep_case_5_;
+  std::vector<std::uint8_t> marks_;
+  std::vector<std::uint8_t> lattice_rows_;
+  std::array<Vertex, 8> offsets_;
+};
+
+}  // namespace
+
+Grid extract(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled,
+             Diagonals diagonals, const std::function<bool(const Vector3d&)>& keep_case_5) {
+  return Extraction(lattice, indicators, settled, diagonals, keep_case_5).run();
+}
+
+}  // namespace tetproof::reference

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which lattice cells and lattice lines a triangle can touch: a superset, found in time that grows with its
+// size.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "reference/engine/first_grid/lattice.hpp"
+
+namespace tetproof::reference {
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+inline Triangle corners(const TriangleSurface& surface, std::size_t t) {
+  const auto& [a, b, c] = surface.triangles[t];
+  return {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+}
+
+/// A convex polygon: a triangle clipped by at most four planes (7 corners; rounding may dent it, hence the
+/// room).
+struct ClippedTriangle {
+  std::array<Eigen::Vector3d, 16> corners;
+  int size;
+
+  /// The part with lo <= coordinate <= hi along `axis`, corners rounded.
+  ClippedTriangle between(int axis, double lo, double hi) const;
+  std::array<double, 2> extent(int axis) const {
+    std::array<double, 2> e{corners[0][axis], corners[0][axis]};
+    for (int c = 1; c < size; ++c) e = {std::min(e[0], corners[c][axis]), std::max(e[1], corners[c][axis])};
+    return e;
+  }
+};
+
+/// More than the rounding of any clipped corner: clipping interpolates twice between the corners of a
+/// triangle inside the lattice, with a few rounding errors each, of at most 2^-52 times the largest
+/// coordinate.
+inline double clipping_error(const Lattice& lattice) {
+  double largest = 0;
+  for (const auto& plane : lattice.planes)
+    largest = std::max({largest, std::abs(plane.front()), std::abs(plane.back())});
+  return 64 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// Calls visit(i, j, k) for every cell whose closed box comes within `margin` of the triangle, and for some
+/// more beside it. Cells count from 0 to n inclusive along each axis: cell n stands for what lies on the last
+/// lattice plane.
+template <class Visit>
+void for_each_cell(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
+  const auto range = [&](const ClippedTriangle& part, int axis) {
+    const auto [lo, hi] = part.extent(axis);
+    return std::array{lattice.cell_of(axis, lo - margin), lattice.cell_of(axis, hi + margin)};
+  };
+  const auto slab = [&](const ClippedTriangle& part, int axis, int cell) {
+    const auto& plane = lattice.planes[axis];
+    const double end = cell < lattice.cells[axis] ? plane[cell + 1] : plane[cell];
+    return part.between(axis, plane[cell] - margin, end + margin);
+  };
+  const ClippedTriangle whole{{triangle[0], triangle[1], triangle[2]}, 3};
+  const auto [k0, k1] = range(whole, 2);
+  for (int k = k0; k <= k1; ++k) {
+    const ClippedTriangle layer = k0 == k1 ? whole : slab(whole, 2, k);
+    if (layer.size == 0) continue;
+    const auto [j0, j1] = range(layer, 1);
+    for (int j = j0; j <= j1; ++j) {
+      const ClippedTriangle row = j0 == j1 ? layer : slab(layer, 1, j);
+      if (row.size == 0) continue;
+      const auto [i0, i1] = range(row, 0);
+      for (int i = i0; i <= i1; ++i) visit(i, j, k);
+    }
+  }
+}
+
+/// Calls visit(j, k) for every lattice line along x that comes within `margin` of the triangle's projection
+/// along x, and some more.
+template <class Visit>
+void for_each_x_line(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
+  const ClippedTriangle whole{{triangle[0], triangle[1], triangle[2]}, 3};
+  const auto [y0, y1] = whole.extent(1);
+  const auto& y = lattice.planes[1];
+  for (int j = lattice.cell_of(1, y0 - margin); j <= lattice.cells[1] && y[j] <= y1 + margin; ++j) {
+    const ClippedTriangle strip = whole.between(1, y[j] - margin, y[j] + margin);
+    if (strip.size == 0) continue;
+    const auto [z0, z1] = strip.extent(2);
+    const auto& z = lattice.planes[2];
+    for (int k = lattice.cell_of(2, z0 - margin); k <= lattice.cells[2] && z[k] <= z1 + margin; ++k)
+      visit(j, k);
+  }
+}
+
+}  // namespace tetproof::reference

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/program/mesh_options.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+
+#include "io/error.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+void declare_adaptation(CLI::App& app, Arguments& a) {
+  const std::map<std::string, Criterion> criteria{{"solid-angle", Criterion::solid_angle},
+                                                  {"aspect-ratio", Criterion::aspect_ratio},
+                                                  {"none", Criterion::none}};
+  const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
+  app.add_option("--points", a.points,
+                 "points to insert at most; auto: until no split lowers E_avg; 0: the first grid alone")
+      ->type_name("N|auto|0");
+  app.add_option("--v0", a.v0,
+                 "eq. (3.1): the volume at distance 0, over the first grid's mean volume, or abs:X")
+      ->type_name("F");
+  app.add_option("--v1", a.v1, "eq. (3.1): the volume at distance d1, likewise")->type_name("F");
+  app.add_option("--d1", a.adapt.d1, "eq. (3.1): a distance; without, the largest of the first grid")
+      ->check(CLI::PositiveNumber)
+      ->type_name("L")
+      ->always_capture_default(false);
+  app.add_option("--p", a.adapt.p, "eq. (3.1): the exponent")->type_name("P");
+  app.add_option("--e-avg", a.e_avg, "stop when E_avg is not above this, given as --v0 is")->type_name("F");
+  app.add_flag("--past-dilution", a.adapt.past_dilution,
+               "go on where the chosen tetrahedron is not larger than it should be; needs --points N");
+  app.add_option("--parametric", a.options.parametric,
+                 "follow the surface's parametric definition, where it has one")
+      ->transform(CLI::CheckedTransformer(on_off))
+      ->option_text("on|off [on]");
+  app.add_flag("--curvature", a.adapt.curvature,
+               "weight the distance with the surface's curvature, eq. (3.6)");
+  app.add_option("--improve", a.adapt.improve, "what flips shall raise, section 4")
+      ->transform(CLI::CheckedTransformer(criteria))
+      ->option_text("solid-angle|aspect-ratio|none [solid-angle]");
+  app.add_option("--improve-below", a.adapt.improve_below,
+                 "improve after an insertion that made a solid angle smaller than this, of 4 pi")
+      ->type_name("S");
+  app.add_option(
+         "--follow", a.options.follow,
+         "replay another implementation's decisions, checking each; stop at the first that is not admissible")
+      ->type_name("OTHER.jsonl")
+      ->check(CLI::ExistingFile)
+      ->always_capture_default(false);
+  app.add_option("--trace", a.trace, "every decision, one JSON record a line, for tetproof-compare")
+      ->type_name("FILE.jsonl");
+}
+
+void declare_figure(CLI::App& app, Arguments& a) {
+  const std::map<std::string, FigureColour> colours{{"volume", FigureColour::volume},
+                                                    {"quality", FigureColour::quality}};
+  app.add_option("--figure", a.figure,
+                 "the cut of a plane through the grid, as in the paper's figures 3 to 6")
+      ->type_name("FILE.svg")
+      ->always_capture_default(false);
+  app.add_option("--plane", a.plane,
+                 "the figure's plane: x=0, an axis for the middle, or a,b,c,d for ax + by + cz = d")
+      ->type_name("PLANE");
+  app.add_option("--colour", a.colour, "what the figure's colours show: volumes, or smallest solid angles")
+      ->transform(CLI::CheckedTransformer(colours))
+      ->option_text("volume|quality [volume]");
+}
+
+// "24" or "24,12,12".
+std::array<int, 3> parse_cells(const std::string& text) {
+  std::array<int, 3> cells{};
+  std::size_t n = 0, at = 0;
+  for (; n < 3; ++n) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string word = text.substr(at, comma - at);
+    if (word.empty() || word.size() > 8 || word.find_first_not_of("0123456789") != std::string::npos) break;
+    cells[n] = std::stoi(word);
+    at = comma + 1;
+    if (comma == text.size()) {
+      ++n;
+      break;
+    }
+  }
+  if (at != text.size() + 1 || n == 2 || std::count(cells.begin(), cells.begin() + n, 0) > 0)
+    throw InputError(fmt::format(
+        "--cells: expected one positive number or three, as in 24 or 24,12,12, found '{}'", text));
+  return cells;
+}
+
+// "0.2" or "abs:0.001".
+VolumeSetting parse_volume(std::string_view option, std::string_view text) {
+  VolumeSetting setting{0};
+  std::string_view number = text;
+  if (number.starts_with("abs:")) {
+    setting.absolute = true;
+    number.remove_prefix(4);
+  }
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), setting.value);
+  if (error != std::errc() || end != number.data() + number.size())
+    throw InputError(fmt::format("{}: expected a number, as in 0.2, or abs:0.001, found '{}'", option, text));
+  return setting;
+}
+
+std::int64_t parse_points(std::string_view text) {
+  if (text == "auto") return AdaptOptions::automatic;
+  std::int64_t points = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
+  if (error != std::errc() || end != text.data() + text.size() || points < 0)
+    throw InputError(fmt::format("--points: expected a number or auto, found '{}'", text));
+  return points;
+}
+
+}  // namespace
+
+void declare_options(CLI::App& app, Arguments& a) {
+  const std::map<std::string, Region> regions{{"inside", Region::inside}, {"outside", Region::outside}};
+  const std::map<std::string, Diagonals> diagonals{{"lowest", Diagonals::lowest},
+                                                   {"shortest", Diagonals::shortest}};
+  app.add_option("SURFACE", a.surface,
+                 "a closed surface: .stl .off .obj .ply .msh, or a generated one (--list-surfaces)");
+  app.add_option("-o,--output", a.grid, "the grid; its ending says the format")
+      ->type_name("GRID")
+      ->always_capture_default(false);
+  app.add_option("--reduce", a.reduce,
+                 "reduce the surface to at most N triangles first; what is left is judged like any other")
+      ->check(CLI::Range(4, std::numeric_limits<int>::max()))
+      ->type_name("N")
+      ->option_text("N");
+  app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
+      ->transform(CLI::CheckedTransformer(regions))
+      ->option_text("inside|outside [inside]");
+  app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")
+      ->type_name("N|NX,NY,NZ");
+  app.add_option("--box-scale", a.options.box_scale, "the lattice's box over the surface's, more than 1")
+      ->type_name("S");
+  app.add_option(
+         "--on-surface", a.options.on_surface,
+         "lattice vertices closer to the surface than this go there, in shortest cell edges, 0 to 0.15")
+      ->type_name("T");
+  app.add_option("--diagonals", a.options.diagonals,
+                 "the diagonal of a quadrilateral that two tetrahedra share")
+      ->transform(CLI::CheckedTransformer(diagonals))
+      ->option_text("lowest|shortest [lowest]");
+  app.add_flag("--literal", a.options.literal,
+               "as printed: case 5 always kept, --on-surface 0, rounding reported and not mended");
+  declare_adaptation(app, a);
+  declare_figure(app, a);
+  app.add_option("--voxels", a.voxels,
+                 "voxels along the longest side for the independent volume account; 0: without")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  app.add_flag("--ascii", a.ascii, "write text where the format has both");
+  app.add_flag("--binary", a.binary, "write binary where the format has both")->excludes("--ascii");
+  app.add_flag("--timings", a.timings, "seconds per phase in the JSON and in the talk");
+  app.add_flag("--list-surfaces", a.list_surfaces, "print the generated surfaces with their parameters");
+}
+
+Options generate_options(const Arguments& a) {
+  Options options = a.options;
+  options.cells = parse_cells(a.cells);
+  AdaptOptions adapt = a.adapt;
+  adapt.points = parse_points(a.points);
+  adapt.v0 = parse_volume("--v0", a.v0);
+  adapt.v1 = parse_volume("--v1", a.v1);
+  adapt.e_avg = parse_volume("--e-avg", a.e_avg);
+  check(adapt);
+  if (adapt.points != 0) options.adapt = adapt;
+  return options;
+}
+
+}  // namespace tetproof::reference

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of tetproof-mesh. Not installed.
+#pragma once
+
+#include <string>
+
+#include "io/program/program.hpp"
+#include "reference/figure/figure.hpp"
+#include "reference/generate.hpp"
+
+namespace tetproof::reference {
+
+/// As given on the command line.
+struct Arguments {
+  std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
+  std::string figure, plane = "x";
+  FigureColour colour = FigureColour::volume;
+  Options options;
+  AdaptOptions adapt;
+  int voxels = 128;
+  int reduce = 0;  ///< triangles; 0: the surface as it is
+  bool list_surfaces = false, timings = false, ascii = false, binary = false;
+};
+
+/// Adds all options to `app`, which fills `a`.
+void declare_options(CLI::App& app, Arguments& a);
+
+/// The options for `generate`, with what is text in the arguments parsed and everything checked. Throws
+/// InputError.
+Options generate_options(const Arguments& a);
+
+}  // namespace tetproof::reference

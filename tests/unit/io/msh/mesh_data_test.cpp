@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Periodic links, ghosts, data of views, and elements in several groups, in every version of .msh: read from
+// text written by hand, written to such text, and through every version and back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/document_text.hpp"
+#include "io/losses.hpp"
+#include "io/mesh_files.hpp"
+#include "io/msh/msh.hpp"
+#include "tests/support/test_files.hpp"
+
+namespace tetproof {
+namespace {
+
+struct Version {
+  const char* name;
+  WriteOptions options;
+
+  friend void PrintTo(const Version& test, std::ostream* out) { *out << test.name; }
+};
+const std::vector<Version> versions{{"Msh22Text", {.format = "msh22"}},
+                                    {"Msh22Binary", {.format = "msh22", .binary = true}},
+                                    {"Msh40Text", {.format = "msh40"}},
+                                    {"Msh41Text", {.format = "msh41"}},
+                                    {"Msh41Binary", {.format = "msh41", .binary = true}}};
+
+// What follows the elements in the text of a document or a file.
+std::string behind(const std::string& text, const std::string& mark) {
+  const std::size_t at = text.rfind(mark);
+  return at == text.npos ? "no " + mark : text.substr(at + mark.size());
+}
+
+const std::string mesh22 =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n10 0 0 0\n20 1 0 0\n30 0 1 0\n40 0 0 1\n$EndNodes\n"
+    "$Elements\n2\n5 4 2 7 1 10 20 30 40\n6 2 2 8 2 10 20 30\n$EndElements\n";
+const std::string mesh40 =
+    "$MeshFormat\n4 0 8\n$EndMeshFormat\n$Entities\n0 0 1 1\n2 0 0 0 1 1 0 1 8 0\n1 0 0 0 1 1 1 1 7 0\n"
+    "$EndEntities\n$Nodes\n2 4\n2 2 0 3\n10 0 0 0\n20 1 0 0\n30 0 1 0\n1 3 0 1\n40 0 0 1\n$EndNodes\n"
+    "$Elements\n2 2\n1 3 4 1\n5 10 20 30 40\n2 2 2 1\n6 10 20 30\n$EndElements\n";
+const std::string mesh41 =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 1\n2 0 0 0 1 1 0 1 8 0\n1 0 0 0 1 1 1 1 7 0\n"
+    "$EndEntities\n$Nodes\n2 4 10 40\n2 2 0 3\n10\n20\n30\n0 0 0\n1 0 0\n0 1 0\n3 1 0 1\n40\n0 0 "
+    "1\n$EndNodes\n"
+    "$Elements\n2 2 5 6\n3 1 4 1\n5 10 20 30 40\n2 2 2 1\n6 10 20 30\n$EndElements\n";
+
+const std::string affine = "1 0 0 0 0 1 0 0 0 0 1 0.5 0 0 0 1";
+const std::string data =
+    "$NodeData\n1\n\"heat flow\"\n1\n0.1\n3\n2\n3\n2\n20 1 2 -0\n30 4 5e-324 6\n$EndNodeData\n"
+    "$NodeData\n2\n\"T\"\n\"scheme\"\n1\n-1.5\n4\n0\n1\n3\n2\n40 nan\n10 inf\n99 -1\n$EndNodeData\n"
+    "$ElementData\n1\n\"of no view\"\n0\n3\n0\n1\n2\n5 0.25\n6 0.75\n$EndElementData\n"
+    "$ElementNodeData\n1\n\"jump\"\n1\n0\n3\n0\n2\n2\n6 3 1 2 3 4 5 6\n77 1 7 8\n$EndElementNodeData\n";
+const std::string data_text =
+    "v nodes heat flow 3 view 0.1 2 0 [] at 20 30: 1 2 -0 4 5e-324 6\n"
+    "v nodes T 1 view -1.5 0 2 [scheme] at 40 10 ?99: nan inf -1\n"
+    "v elements of no view 1: 0.25 0.75\n"
+    "v elements' nodes jump 2 view 0 0 0 [] at 6 ?77 of 3 1: 1 2 3 4 5 6 7 8\n";
+
+struct ReadCase {
+  std::string name, file, expected;  // behind the last element
+  std::vector<std::string> warnings = {};
+
+  friend void PrintTo(const ReadCase& test, std::ostream* out) { *out << test.name; }
+};
+
+const std::vector<ReadCase> read_cases{
+    {"PeriodicOf22",
+     mesh22 + "$Periodic\n2\n2 2 1\nAffine " + affine + "\n2\n10 20\n30 98\n1 -3 4\n0\n$EndPeriodic\n",
+     "periodic 2/2 1 (" + affine + "): 10-20 30-?98\nperiodic 1/-3 4 ():\n"},
+    {"PeriodicOf40",
+     mesh40 + "$Periodic\n2\n2 2 1\nAffine\t" + affine + "\n1\n10 20\n0 3 4\n1\n40 10\n$EndPeriodic\n",
+     "periodic 2/2 1 (" + affine + "): 10-20\nperiodic 0/3 4 (): 40-10\n"},
+    {"PeriodicOf41",
+     mesh41 + "$Periodic\n3\n2 2 1\n16 " + affine +
+         "\n1\n10 20\n0 3 4\n0\n1\n40 10\n0 3 4\n2 1 2\n0\n$EndPeriodic\n",
+     "periodic 2/2 1 (" + affine + "): 10-20\nperiodic 0/3 4 (): 40-10\nperiodic 0/3 4 (1 2):\n"},
+    {"GhostsOf40", mesh40 + "$GhostElements\n2\n6 1 2 3 4\n99 2 0\n$EndGhostElements\n",
+     "ghost element 6 1: 3 4\nghost element ?99 2: \n"},
+    {"GhostsOf41", mesh41 + "$GhostElements\n1\n5 1 1 2\n$EndGhostElements\n", "ghost element 5 1: 2\n"},
+    {"DataOf22", mesh22 + data, data_text},
+    {"DataOf40", mesh40 + data, data_text},
+    {"DataOf41", mesh41 + data, data_text},
+    {"DataInFrontOfTheMesh",
+     mesh41.substr(0, 35) + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n2\n10 1\n7 2\n$EndNodeData\n" +
+         mesh41.substr(35),
+     "v nodes T 1 view 0 0 0 [] at 10 ?7: 1 2\n"},
+    {"DataOfNothing", mesh41 + "$NodeData\n1\n\"\"\n1\n0\n3\n0\n1\n0\n$EndNodeData\n",
+     "v nodes  1 view 0 0 0 [] at: \n"},
+    {"DataOfCopies",  // as Gmsh writes it: the element's last number
+     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n"
+     "$Elements\n3\n1 15 2 7 1 1\n2 15 2 8 1 1\n3 15 2 8 2 1\n$EndElements\n"
+     "$ElementData\n1\n\"a\"\n1\n0\n3\n0\n1\n2\n2 20\n3 30\n$EndElementData\n",
+     "v elements a 1 view 0 0 0 [] at 1 3: 20 30\n",
+     {"a.msh: 1 element repeats another one in a further physical group and is merged with it; the first is "
+      "element 2, which repeats element 1"}},
+    {"UnusualTagsAreKeptAsTheyStand",
+     mesh41 +
+         "$NodeData\n0\n1\n0\n3\n0\n1\n0\n$EndNodeData\n$NodeData\n1\nT\n1\n0\n3\n0\n1\n0\n$EndNodeData\n"
+         "$ElementData\n1\n\"T\"\n2\n0\n1\n3\n0\n1\n0\n$EndElementData\n"
+         "$ElementData\n1\n\"T\"\n1\n0\n5\n0\n1\n0\n1\n9\n$EndElementData\n",
+     "S NodeData [0\n1\n0\n3\n0\n1\n0\n]\nS NodeData [1\nT\n1\n0\n3\n0\n1\n0\n]\n"
+     "S ElementData [1\n\"T\"\n2\n0\n1\n3\n0\n1\n0\n]\nS ElementData [1\n\"T\"\n1\n0\n5\n0\n1\n0\n1\n9\n]\n"},
+    {"AMisspeltEnd",
+     mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n10 1\n$EndNodeDate\n",
+     "v nodes T 1 view 0 0 0 [] at 10: 1\n",
+     {"a.msh:39: section $NodeData ends with $EndNodeDate"}},
+    {"TextOfAnotherSize",
+     "$MeshFormat\n2.2 0 4\n$EndMeshFormat\n" + mesh22.substr(35),
+     "",
+     {"a.msh:2: the size of numbers is 4 and not 8, which means nothing in text"}},
+    {"ANodeTwiceInAnElement",
+     mesh22.substr(0, mesh22.find("6 2 2 8")) + "6 2 2 8 2 10 10 30\n$EndElements\n",
+     "",
+     {"a.msh: 1 element names the same node twice; the first is element 6"}},
+};
+
+class MeshData : public testing::TestWithParam<ReadCase> {};
+
+TEST_P(MeshData, IsRead) {
+  const test::TestFiles files;
+  const std::string path = files.write("a.msh", GetParam().file);
+  const Document document = read_document(path);
+  const std::string text = test::text_of(document);
+  const std::size_t last = text.find('\n', text.rfind("\ne ") + 1);
+  EXPECT_EQ(text.substr(last + 1), GetParam().expected);
+  std::vector<std::string> warnings = document.warnings;
+  for (std::string& warning : warnings)
+    for (std::size_t at; (at = warning.find(files.path(""))) != warning.npos;)
+      warning.erase(at, files.path("").size());
+  EXPECT_EQ(warnings, GetParam().warnings);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByHand, MeshData, testing::ValuesIn(read_cases),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(MeshDataRead, PolygonsHaveTheirNumberOfNodesInFrontOfThem) {  // in 2.2, as Gmsh has it
+  const test::TestFiles files;
+  const std::string text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 2 1 0\n4 1 2 0\n5 0 1 "
+      "0\n$EndNodes\n"
+      "$Elements\n2\n1 34 2 7 1 5 1 2 3 4 5\n2 34 2 7 1 4 1 2 3 4\n$EndElements\n";
+  const Document document = read_document(files.write("a.msh", text));
+  ASSERT_EQ(document.blocks.size(), 2u);
+  EXPECT_EQ(document.blocks[0].nodes_each, 5);
+  EXPECT_EQ(document.connectivity, (std::vector<Index>{0, 1, 2, 3, 4, 0, 1, 2, 3}));
+  write_document(files.path("b.msh"), document, {.format = "msh22"});
+  EXPECT_EQ(test::TestFiles::read(files.path("b.msh")), text);
+}
+
+struct ErrorCase {
+  std::string name, file, message;
+
+  friend void PrintTo(const ErrorCase& test, std::ostream* out) { *out << test.name; }
+};
+
+// mesh41 has 28 lines, mesh22 15.
+const std::vector<ErrorCase> error_cases{
+    {"PeriodicDimension", mesh41 + "$Periodic\n1\n4 1 2\n0\n0\n$EndPeriodic\n",
+     "a.msh:31: expected the dimension of a periodic entity, 0 to 3, found 4"},
+    {"PeriodicCount", mesh41 + "$Periodic\n99\n2 2 1\n0\n0\n$EndPeriodic\n",
+     "a.msh:30: expected the number of periodic entities, found 99, more than the 24 bytes left can hold"},
+    {"PeriodicNode", mesh41 + "$Periodic\n1\n2 2 1\n0\n1\n10 x\n$EndPeriodic\n",
+     "a.msh:34: expected the tag of the node that it follows, found 'x'"},
+    {"PeriodicEnd", mesh41 + "$Periodic\n0\n0\n$EndPeriodic\n", "a.msh:31: expected $EndPeriodic, found '0'"},
+    {"AffineValue", mesh22 + "$Periodic\n1\n2 2 1\nAffine 1 0 y\n0\n$EndPeriodic\n",
+     "a.msh:19: expected a value of an affine transformation, found 'y'"},
+    {"GhostCount", mesh41 + "$GhostElements\n1\n5 1 20 1\n$EndGhostElements\n",
+     "a.msh:31: expected the number of partitions that see a ghost element, found 20, more than the 21 bytes "
+     "left can hold"},
+    {"Components", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n0\n1\n10\n$EndNodeData\n",
+     "a.msh:37: expected the number of components of the data, found 0"},
+    {"Rows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n123456\n10 1\n$EndNodeData\n",
+     "a.msh:38: expected the number of nodes or elements that have data, found 123456, more than the 18 "
+     "bytes "
+     "left can hold"},
+    {"FewerRows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n2\n10 1\n$EndNodeData\n",
+     "a.msh:39: expected the tag of a node, found '$EndNodeData'"},
+    {"MoreRows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n10 1\n20 1\n$EndNodeData\n",
+     "a.msh:39: expected $EndNodeData, found '20'"},
+    {"NodesOfAnElement",
+     mesh41 + "$ElementNodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n5 99 1\n$EndElementNodeData\n",
+     "a.msh:38: expected the number of an element's nodes, found 99, more than the 23 bytes left can hold"},
+};
+
+class MeshDataErrors : public testing::TestWithParam<ErrorCase> {};
+
+TEST_P(MeshDataErrors, HaveOneLineWithThePlace) {
+  const test::TestFiles files;
+  files.write("a.msh", GetParam().file);
+  EXPECT_EQ(files.message([&] { read_document(files.path("a.msh")); }), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByHand, MeshDataErrors, testing::ValuesIn(error_cases),
+                         [](const auto& test) { return test.param.name; });
+
+// The text of a mesh with everything is written as it was read: by hand, above.
+TEST(MeshDataWrite, TheTextThatWasRead) {
+  const test::TestFiles files;
+  for (const auto& [format, text] :
+       {std::pair{"msh22", mesh22 + "$Periodic\n2\n2 2 1\nAffine " + affine +
+                               "\n2\n10 20\n30 98\n1 -3 4\n0\n"
+                               "$EndPeriodic\n" +
+                               data},
+        {"msh40", mesh40 +
+                      "$Periodic\n1\n0 3 4\n1\n40 10\n$EndPeriodic\n"
+                      "$GhostElements\n2\n6 1 2 3 4\n5 2 0\n$EndGhostElements\n" +
+                      data},
+        {"msh41", mesh41 + "$Periodic\n2\n2 2 1\n16 " + affine +
+                      "\n1\n10 20\n0 3 4\n0\n1\n40 10\n$EndPeriodic\n"
+                      "$GhostElements\n1\n5 1 1 2\n$EndGhostElements\n" +
+                      data}}) {
+    const Document document = read_document(files.write("a.msh", text));
+    write_document(files.path("b.msh"), document, {.format = format});
+    EXPECT_EQ(test::TestFiles::read(files.path("b.msh")), text) << format;
+  }
+}
+
+// In 2.2 once per group, the further ones with new numbers; and read as one element again.
+TEST(MeshDataWrite, OncePerGroupIn22) {
+  const test::TestFiles files;
+  const std::string head =
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n2 0 0 0\n1 0 0 0 2 7 -8\n2 0 0 0 1 9\n"
+      "$EndEntities\n$Nodes\n1 1 1 1\n0 1 0 1\n1\n0 0 0\n$EndNodes\n";
+  const Document document = read_document(
+      files.write("a.msh", head + "$Elements\n2 3 5 9\n0 1 15 2\n5 1\n9 1\n0 2 15 1\n6 1\n$EndElements\n"));
+  for (bool binary : {false, true}) {
+    write_document(files.path("b.msh"), document, {.format = "msh22", .binary = binary});
+    test::TestFiles::leave_out_supplement(files.path("b.msh"));
+    const std::string text = test::TestFiles::read(files.path("b.msh"));
+    if (!binary) {
+      EXPECT_EQ(behind(text, "$Elements\n"),
+                "5\n5 15 2 7 1 1\n10 15 2 -8 1 1\n9 15 2 7 1 1\n11 15 2 -8 1 1\n"
+                "6 15 2 9 2 1\n$EndElements\n");
+    }
+    EXPECT_EQ(behind(test::text_of(read_document(files.path("b.msh"))), "n 1 0 0 0\n"),
+              "e 5 15 0/1 g7,-8 p: 1\ne 9 15 0/1 g7,-8 p: 1\ne 6 15 0/2 g9 p: 1\n");
+  }
+}
+
+// Two elements at one place in two groups are not taken for one element in both.
+TEST(MeshDataWrite, TwoElementsThatLookLikeOneInTwoGroups) {
+  const test::TestFiles files;
+  Document document;
+  document.points = {{0, 0, 0}};
+  document.tag_sets = {{}, {7}, {8}, {9}};
+  for (std::int32_t set = 1; set <= 3; ++set) {
+    document.blocks.push_back({.type = 15,
+                               .dim = 0,
+                               .entity = 1,
+                               .groups = set,
+                               .nodes_each = 1,
+                               .count = 1,
+                               .first = document.connectivity.size(),
+                               .nodes = document.connectivity.size()});
+    document.connectivity.push_back(0);
+  }
+  for (bool binary : {false, true}) {
+    write_document(files.path("a.msh"), document, {.format = "msh22", .binary = binary});
+    EXPECT_EQ(behind(test::text_of(read_document(files.path("a.msh"))), "n 1 0 0 0\n"),
+              "e 1 15 0/1 g7 p: 1\ne 2 15 0/1 g8 p: 1\ne 3 15 0/1 g9 p: 1\n");
+  }
+  write_document(files.path("a.msh"), document, {.format = "msh22"});
+  EXPECT_EQ(behind(test::TestFiles::read(files.path("a.msh")), "$Elements\n"),
+            "3\n1 15 2 7 1 1\n2 15 3 8 1 0 1\n3 15 2 9 1 1\n$EndElements\n");
+}
+
+TEST(MeshDataWrite, WhatEachVersionHolds) {
+  const test::TestFiles files;
+  const Document document = read_document(files.write(
+      "a.msh",
+      mesh41 +
+          "$Periodic\n1\n2 2 1\n2 1 2\n0\n$EndPeriodic\n$GhostElements\n1\n5 1 1 2\n$EndGhostElements\n" +
+          data));
+  for (const Version& version : versions) {
+    const std::string& format = version.options.format;
+    const io::Holds holds = io::msh_holds(document, format, version.options.binary.value_or(false));
+    EXPECT_EQ(holds.periodic, format == "msh41") << version.name;  // a transformation of two numbers
+    EXPECT_EQ(holds.ghosts, format != "msh22") << version.name;
+    EXPECT_EQ(holds.entities, format != "msh22") << version.name;
+    EXPECT_EQ(holds.node_entities, format != "msh22") << version.name;
+    EXPECT_TRUE(holds.values(document.node_values[0], io::Of::node)) << version.name;
+    Values values = document.node_values[0];
+    values.name = "a\nb";
+    EXPECT_FALSE(holds.values(values, io::Of::node)) << version.name;
+    values = {.name = "materials", .reals = {}, .integers = {1, 2}};
+    EXPECT_FALSE(holds.values(values, io::Of::element)) << version.name;
+    values = {.name = "pressure", .reals = {1, 2}, .integers = {}};
+    EXPECT_TRUE(holds.values(values, io::Of::element)) << version.name;
+    values.step = 3;  // which only a view has
+    EXPECT_FALSE(holds.values(values, io::Of::element)) << version.name;
+  }
+}
+
+const std::filesystem::path formats_folder =
+    std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared" / "formats";
+
+// Lines of a document's text that .msh of every version has to hold by itself: nodes, elements without
+// their entities, data.
+std::string core(const Document& document) {
+  std::istringstream lines(test::text_of(document, false));
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("n ") || line.starts_with("v ") || line.starts_with("G ")) kept += line + "\n";
+    if (!line.starts_with("e ")) continue;
+    const std::size_t type = line.find(' ', 2), place = line.find(' ', type + 1),
+                      group = line.find(" g", place);
+    kept += line.substr(0, place) + line.substr(group, line.find(" p") - group) +
+            line.substr(line.find(':')) + "\n";
+  }
+  return kept;
+}
+
+class MeshVersions : public testing::TestWithParam<Version> {};
+
+// All samples, through each version: everything with what is kept aside, and natively what all can hold.
+TEST_P(MeshVersions, HoldEverySample) {
+  if (!std::filesystem::exists(formats_folder)) GTEST_SKIP() << formats_folder << " is not here";
+  const test::TestFiles files;
+  std::size_t seen = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(formats_folder)) {
+    if (entry.path().extension() != ".msh") continue;
+    const Document document = read_document(entry.path().string());
+    write_document(files.path("a.msh"), document, GetParam().options);
+    const Document again = read_document(files.path("a.msh"));
+    // What only says that there is no entity, or follows from the rest, is not kept aside.
+    if (!kept_aside("a.msh", document, GetParam().options).items.empty()) {
+      EXPECT_EQ(test::text_of(again, false), test::text_of(document, false)) << entry.path();
+    }
+    test::TestFiles::leave_out_supplement(files.path("a.msh"));
+    const io::Holds holds =
+        io::msh_holds(document, GetParam().options.format, GetParam().options.binary.value_or(false));
+    // Numbers of more than 4 bytes, and a group 0.
+    bool all = holds.node_tags && holds.element_tags;
+    for (const Values& values : document.node_values) all = all && holds.values(values, io::Of::node);
+    for (const ElementBlock& block : document.blocks)
+      all = all && (!holds.groups_of || holds.groups_of(block));
+    if (!all) continue;
+    EXPECT_EQ(core(read_document(files.path("a.msh"))), core(document)) << entry.path();
+    ++seen;
+  }
+  EXPECT_GE(seen, 40u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, MeshVersions, testing::ValuesIn(versions),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace tetproof

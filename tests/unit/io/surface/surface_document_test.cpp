@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What surface files say beside points and triangles: read as it stands, written so that it comes back.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/support/document_text.hpp"
+#include "io/losses.hpp"
+#include "io/mesh_files.hpp"
+#include "io/surface_files.hpp"
+#include "tests/support/test_files.hpp"
+
+namespace tetproof {
+namespace {
+
+std::string text_of(const Values& values, const char* of) {
+  std::string text = fmt::format("{} {} x{}{}: {}{}", of, values.name, values.components,
+                                 values.integers.empty() ? "" : " i", fmt::join(values.reals, " "),
+                                 fmt::join(values.integers, " "));
+  if (values.first != 0) text += fmt::format(" from {}", values.first);
+  if (!values.at.empty()) text += fmt::format(" at {}", fmt::join(values.at, " "));
+  if (!values.nodes.empty()) text += fmt::format(" nodes {}", fmt::join(values.nodes, " "));
+  if (!values.labels.empty()) text += fmt::format(" labels [{}]", fmt::join(values.labels, "|"));
+  return text + "\n";
+}
+
+// Everything but the points.
+std::string told(const Document& document) {
+  std::string text = document.title.empty() ? "" : "title " + document.title + "\n";
+  for (const GroupName& name : document.group_names)
+    text += fmt::format("group {} {} {}\n", name.dim, name.group, name.name);
+  for (const ElementBlock& block : document.blocks)
+    for (std::size_t e = 0; e < block.count; ++e) {
+      text += fmt::format("e{}", block.type);
+      for (const std::int64_t group : document.tag_sets.at(static_cast<std::size_t>(block.groups)))
+        text += fmt::format(" g{}", group);
+      text += ":";
+      for (int k = 0; k < block.nodes_each; ++k)
+        text += fmt::format(" {}", document.named(document.connectivity.at(
+                                       block.nodes + e * static_cast<std::size_t>(block.nodes_each) +
+                                       static_cast<std::size_t>(k))));
+      text += "\n";
+    }
+  for (const Values& values : document.node_values) text += text_of(values, "node");
+  for (const Values& values : document.element_values) text += text_of(values, "element");
+  for (const Values& values : document.element_node_values) text += text_of(values, "corner");
+  for (const Table& table : document.tables) {
+    text += fmt::format("table {} {}\n", table.name, table.rows);
+    for (const Column& column : table.columns)
+      text += fmt::format("  {} ({}) {}{}{} [{}]\n", column.name, column.type, fmt::join(column.reals, " "),
+                          fmt::join(column.integers, " "), fmt::join(column.texts, "|"),
+                          fmt::join(column.lengths, " "));
+  }
+  return text;
+}
+
+struct Case {
+  std::string name, file, bytes, told;
+  std::vector<std::string> warnings{};  // without the folder
+  bool binary = false;                  // how it is written again
+
+  friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
+};
+
+const std::string facet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+const std::string other_facet =
+    "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+// One facet with this header and attribute, and a normal along z.
+std::string binary_stl(std::string bytes, std::uint16_t attribute) {
+  bytes.resize(84 + 50);
+  bytes[80] = 1;
+  const float numbers[12]{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::memcpy(bytes.data() + 84, numbers, 48);
+  std::memcpy(bytes.data() + 132, &attribute, 2);
+  return bytes;
+}
+
+const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string ply_start = "ply\nformat ascii 1.0\n";
+const std::string ply_xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string ply_list = "property list uchar int vertex_indices\n";
+
+const std::vector<Case> cases{
+    {"StlNameless", "a.stl", "solid\n" + facet + "endsolid\n", "e2: 1 2 3\n"},
+    {"StlNamed", "a.stl", "solid left  wing \n" + facet + "endsolid\n",
+     "group 2 1 left  wing\ne2 g1: 1 2 3\n"},
+    {"StlSolids", "a.stl",
+     "solid a\n" + facet + "endsolid\nsolid 7\n" + other_facet + "endsolid\nsolid b #-3\n" + facet,
+     "group 2 1 a\ngroup 2 -3 b\ne2 g1: 1 2 3\ne2 g7: 2 4 3\ne2 g-3: 1 2 3\n"},
+    {"StlNamelessSolids", "a.stl", "solid\n" + facet + "endsolid\nsolid\n" + other_facet,
+     "e2 g1: 1 2 3\ne2 g2: 2 4 3\n"},
+    {"StlOneNamelessSolid", "a.stl", "solid\n" + facet + "endsolid\nsolid b\n" + other_facet,
+     "group 2 1 b\ne2: 1 2 3\ne2 g1: 2 4 3\n"},
+    {"StlBinary",
+     "a.stl",
+     binary_stl("solid of a CAD   ", 0x7fff),
+     "title solid of a CAD\ne2: 1 2 3\nelement attribute x1 i: 32767\n",
+     {},
+     true},
+    {"StlAgainstItsNormal",
+     "a.stl",
+     "solid\nfacet normal 0 0 -2" + facet.substr(18),
+     "e2: 1 2 3\n",
+     {"a.stl: the normals of 1 facets point against the order of their corners (first: line 2); they are not "
+      "kept"}},
+
+    {"OffPolygons", "a.off",
+     "OFF\n# a title\n#  of two lines\n5 4 0\n" + square + "2 .5 0\n3 0 1 2\n4 0 1 2 3\n5 0 1 4 2 3\n2 0 1\n",
+     "title a title\n of two lines\ne2: 0 1 2\ne3: 0 1 2 3\ne34: 0 1 4 2 3\ne1: 0 1\n"},
+    {"OffColours", "a.off",
+     "OFF 4 5 0\n" + square + "3 0 1 2 255 0 7\n3 0 2 3 0 0 0\n3 0 1 3 0.5 0.25 1 0.75\n3 1 2 3 9\n3 3 1 2\n",
+     "e2: 0 1 2\ne2: 0 2 3\ne2: 0 1 3\ne2: 1 2 3\ne2: 3 1 2\nelement color x1 i: 9 at 3\n"
+     "element color x3 i: 255 0 7 0 0 0 at 0 1\nelement color x4: 0.5 0.25 1 0.75 at 2\n"},
+    {"OffOfVertices",
+     "a.off",
+     "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 1 .5 1\n1 0 0 0 1 0 2 3 4 0 0\n0 1 0 1 0 -0 5 6 300 1 1\n3 0 1 2\n",
+     "e2: 0 1 2\nnode normal x3: 0 0 1 0 1 0 1 0 -0\nnode color x3 i: 255 0 1 2 3 4 5 6 300\n"
+     "node texture x2: 0.5 1 0 0 1 1\n",
+     {"a.off: 1 numbers in colours of vertices are outside of 0 to 255"}},
+    {"OffWholeReals", "a.off", "OFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 0 1\n0 1 0 1 1 1\n3 0 1 2\n",
+     "e2: 0 1 2\nnode color x3: 1 0 0 0 0 1 1 1 1\n"},
+    {"OffUnknownVertex", "a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n", "e2: 0 1 9\n"},
+    {"OffOddNumbers",
+     "a.off",
+     "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2 5 5\n",
+     "e2: 0 1 2\n",
+     {"a.off: 1 vertices are followed by as many numbers as OFF gives no meaning to; they are not read",
+      "a.off: 1 faces are followed by as many numbers as OFF gives no meaning to; they are not read"}},
+
+    {"ObjGroups", "a.obj",
+     "# made by hand\n#\nmtllib a.mtl b.mtl\n" + obj_square +
+         "g wing left\nf 1 2 3\ng left 12\nf 1 3 4\ng\nf 2 3 4\ng two%20words\np 1 2\nl 1 2 3\n",
+     "title made by hand\n\ngroup 2 1 wing\ngroup 2 2 left\ngroup 0 3 two words\ngroup 1 3 two words\n"
+     "e2 g1 g2: 1 2 3\ne2 g2 g12: 1 3 4\ne2: 2 3 4\ne15 g3: 1\ne15 g3: 2\ne1 g3: 1 2\ne1 g3: 2 3\n"
+     "table mtllib 2\n  file (text) a.mtl|b.mtl []\n"},
+    {"ObjNumbersOfGroups", "a.obj",
+     obj_square + "# group 9 tip\n# group -4 root\ng root\nf 1 2 3\ng tip\nf 1 3 4\n",
+     "group 2 -4 root\ngroup 2 9 tip\ne2 g-4: 1 2 3\ne2 g9: 1 3 4\n"},
+    {"ObjStates", "a.obj",
+     obj_square +
+         "f 1 2 3\no first part\nusemtl red\ns 3\nf 1 3 4\nusemtl\ns off\nf 2 3 4\nusemtl red\nf 1 2 4\n",
+     "e2: 1 2 3\ne2: 1 3 4\ne2: 2 3 4\ne2: 1 2 4\nelement object x1 i: 0 1 1 1 labels [|first part]\n"
+     "element material x1 i: 0 1 0 1 labels [|red]\nelement smoothing x1 i: 0 3 0 0\n"},
+    {"ObjCorners", "a.obj",
+     obj_square + "vt 0 0\nvt 1 .5\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\nf 1 3 4\nf 1//-1 2//-1 4//1\n",
+     "e2: 1 2 3\ne2: 1 3 4\ne2: 1 2 4\ncorner texture x2: 0 0 1 0.5 0 0 at 0 nodes 3\n"
+     "corner normal x3: 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 at 0 2 nodes 3 3\n"},
+    {"ObjColoursAndWeights", "a.obj", "v 0 0 0 0.1 0 1\nv 1 0 0\nv 0 1 0 0.5\nf 1 2 3\n",
+     "e2: 1 2 3\nnode weight x1: 0.5 at 2\nnode color x3: 0.1 0 1 at 0\n"},
+    {"ObjFreeForm",
+     "a.obj",
+     obj_square + "vp 0 1\nvp 1 1\ncurv 0 1 1 2\nf 1 2 3 4\n",
+     "e3: 1 2 3 4\n",
+     {"a.obj: 1 statements `curv` are not read", "a.obj: 2 statements `vp` are not read"}},
+    {"ObjBadCorners",
+     "a.obj",
+     obj_square + "vt 0 0\nvt 1 1\nf 1/1 2/7 3/1\nf 1/1 2 3/1\n",
+     "e2: 1 2 3\ne2: 1 2 3\n",
+     {"a.obj: 2 faces name texture coordinates that do not exist, or not at every corner",
+      "a.obj: 2 texture coordinates (`vt`) that no face uses are not kept"}},
+
+    {"PlyValues", "a.ply",
+     ply_start + "comment by hand\nobj_info from nowhere\nelement vertex 3\n" + ply_xyz +
+         "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+         "property uchar blue\nproperty double heat%20of\nproperty short v_0\nproperty short v_1\nelement "
+         "face 1\n" +
+         ply_list +
+         "property list uchar float texcoord\nproperty int flag\nend_header\n"
+         "0 0 0 0 0 1 255 0 0 0.1 1 2\n1 0 0 0 1 0 0 255 0 0.2 3 4\n0 1 0 1 0 0 0 0 255 1e-310 -5 6\n"
+         "3 0 1 2 6 0 0 1 0 0.5 1 -7\n",
+     "title by hand\nobj_info from nowhere\ne2: 0 1 2\nnode normal x3: 0 0 1 0 1 0 1 0 0\n"
+     "node color x3 i: 255 0 0 0 255 0 0 0 255\nnode heat of x1: 0.1 0.2 1e-310\nnode v x2 i: 1 2 3 4 -5 6\n"
+     "element flag x1 i: -7\ncorner texture x2: 0 0 1 0 0.5 1 nodes 3\n"},
+    {"PlyTablesAndEdges", "a.ply",
+     ply_start + "element vertex 3\n" + ply_xyz + "property list uchar uint ring\nelement face 1\n" +
+         ply_list +
+         "property float q\nelement edge 2\nproperty int vertex1\nproperty int vertex2\nproperty float q\n"
+         "element camera 2\nproperty float32 f\nproperty list uint8 int16 view\nend_header\n"
+         "0 0 0 0\n1 0 0 2 7 8\n0 1 0 1 9\n3 0 1 2 0.5\n0 1 1.5\n1 2 2.5\n0.25 1 -4\n3 0\n",
+     "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement q x1: 0.5 1.5 2.5\ntable vertex 3\n  ring (list uchar uint) 7 8 9 "
+     "[0 2 1]\n"
+     "table camera 2\n  f (float32) 0.25 3 []\n  view (list uint8 int16) -4 [1 0]\n"},
+    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; another property name, the same when decoded
+     ply_start + "element vertex 3\n" + ply_xyz + "element face 1\n" + ply_list +
+         "property uchar markers\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
+         "property uchar %6Darkers\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n0 1 6\n1 2 7\n",
+     "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement markers x1 i: 5\nelement markers x1 i: 6 7 from 1\n"},
+    {"PlyPoints", "a.ply",
+     ply_start + "element vertex 2\n" + ply_xyz +
+         "property uchar confidence\nend_header\n0 0 0 1\n1 0 0 200\n",
+     "node confidence x1 i: 1 200\n"},
+};
+
+class SurfaceDocuments : public testing::TestWithParam<Case> {};
+
+TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
+  const test::TestFiles files;
+  const Case& given = GetParam();
+  const Document document = read_document(files.write(given.file, given.bytes));
+  EXPECT_EQ(told(document), given.told);
+  std::vector<std::string> warnings;
+  for (const std::string& warning : document.warnings)
+    warnings.push_back(warning.substr(files.path("").size()));
+  EXPECT_EQ(warnings, given.warnings);
+
+  // Into its own format: the same, but for elements without their nodes.
+  if (!document.unknown.empty()) return;
+  const bool is_ply = given.file == "a.ply";
+  for (const bool binary : {false, true}) {
+    if (!is_ply && binary != given.binary) continue;
+    const std::string again = files.path("again" + given.file.substr(1));
+    EXPECT_TRUE(losses(again, document, {.binary = binary}).empty());
+    write_document(again, document, {.binary = binary});
+    const Document back = read_document(again);
+    EXPECT_EQ(told(back), given.told) << files.read(again);
+    EXPECT_EQ(test::text_of(back), test::text_of(document));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SurfaceDocuments, testing::ValuesIn(cases),
+                         [](const auto& test) { return test.param.name; });
+
+// The bytes by hand.
+TEST(SurfaceDocuments, AreWrittenAsTheFormatsSay) {
+  const test::TestFiles files;
+  Document document = read_document(files.write(
+      "a.obj",
+      obj_square + "vt 0 0\nvt 1 0\nvn 0 0 1\no part\ng wing\nusemtl red\nf 1/1/1 2/2/1 3/1/1\nf 1 3 4\n"));
+  document.tag_sets[1] = {5};
+  document.group_names[0].group = 5;
+  write_document(files.path("b.obj"), document);
+  EXPECT_EQ(files.read(files.path("b.obj")),
+            obj_square +
+                "vt 0 0\nvt 1 0\nvn 0 0 1\n# group 5 wing\no part\ng wing\nusemtl red\n"
+                "f 1/1/1 2/2/1 3/1/1\nf 1 3 4\n");
+  write_document(files.path("b.stl"), document, {.binary = false});
+  EXPECT_EQ(files.read(files.path("b.stl")).substr(0, 32), "solid wing #5\nfacet normal 0 0 1");
+}
+
+// A square becomes two triangles; what is not planar is left out and told.
+TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Document document =
+      document_of(TriangleSurface{{{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {2, 1, 3}}});
+  const test::TestFiles files;
+  for (const bool binary : {false, true}) {
+    const std::string path = files.path("a.stl");
+    const std::vector<Loss> lost = losses(path, document, {.binary = binary});
+    ASSERT_EQ(lost.size(), 1U);
+    EXPECT_EQ(lost[0].item, "nodes at NaN, which become one for each corner");
+    EXPECT_EQ(lost[0].count, 1U);
+    EXPECT_EQ(lost[0].example, "node 3");
+    write_document(path, document, {.binary = binary});
+    EXPECT_EQ(read_document(path).points.size(), 5U);
+  }
+}
+
+TEST(SurfaceDocuments, StlCutsPolygons) {
+  const test::TestFiles files;
+  const Document document =
+      read_document(files.write("a.off", "OFF 5 3 0\n" + square + "0 0 1\n4 0 1 2 3\n4 0 1 2 4\n3 0 1 4\n"));
+  write_document(files.path("a.stl"), document, {.binary = false});
+  const Document back = read_document(files.path("a.stl"));
+  EXPECT_EQ(told(back), "e2: 1 2 3\ne2: 1 3 4\ne2: 1 2 5\n");
+  const std::vector<Loss> lost = losses("a.stl", document, {.binary = false});
+  ASSERT_GE(lost.size(), 2u);
+  EXPECT_EQ(lost[0].item, "quadrangles of 4 nodes (type 3) cut into triangles");
+  EXPECT_EQ(lost[0].count, 1);
+  EXPECT_EQ(lost[0].example, "element 1");
+  EXPECT_EQ(lost[1].item, "quadrangles of 4 nodes (type 3)");
+  EXPECT_EQ(lost[1].count, 1);
+  EXPECT_EQ(lost[1].example, "element 2");
+}
+
+// One table that PLY has no place for takes no other with it.
+TEST(SurfaceDocuments, PlyLosesTablesOneByOne) {
+  const test::TestFiles files;
+  Document document = read_document(
+      files.write("a.ply", ply_start + "element vertex 1\n" + ply_xyz +
+                               "element camera 1\nproperty float f\nend_header\n" + "0 0 0\n0.25\n"));
+  document.tables.push_back(
+      {.name = "notes", .rows = 1, .columns = {{.name = "t", .type = "String", .texts = {"x"}}}});
+  const std::vector<Loss> lost = losses("b.ply", document);
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].item, "table \"notes\"");
+  write_document(files.path("b.ply"), document);
+  EXPECT_EQ(told(read_document(files.path("b.ply"))), "table camera 1\n  f (float) 0.25 []\n");
+}
+
+TEST(SurfaceDocuments, ZerosAndNansSurvive) {
+  const test::TestFiles files;
+  for (const char* name : {"a.off", "a.obj", "a.ply"}) {
+    const Document document =
+        read_document(files.write("b.off",
+                                  "NOFF 3 1 0\n-0 4.9e-324 0.1 nan inf -0\n1e308 0 0.30000000000000004 0 0 "
+                                  "1\n0 -inf nan 1 1 1\n3 0 1 2\n"));
+    write_document(files.path(name), document, {});
+    const Document back = read_document(files.path(name));
+    ASSERT_EQ(back.points.size(), 3u);
+    EXPECT_TRUE(std::signbit(back.points[0][0])) << name;
+    EXPECT_EQ(back.points[0][1], 4.9e-324) << name;
+    EXPECT_EQ(back.points[1][2], 0.30000000000000004) << name;
+    EXPECT_TRUE(std::isnan(back.points[2][2]) && back.points[2][1] == -HUGE_VAL) << name;
+  }
+}
+
+// Other programs' readers: points, cells and names of values, no warning.
+TEST(SurfaceDocuments, VtkAndMeshioReadWhatWeWrite) {
+  const test::TestFiles files;
+  const std::string python = "/usr/bin/python3 ", quiet = " > " + files.path("out") + " 2>&1";
+  if (std::system((python + "-c 'import vtk, meshio'" + quiet).c_str()) != 0)
+    GTEST_SKIP() << "python3-vtk9 or python3-meshio is not here";
+  const std::string script = files.write("read.py", R"(
+import sys, os, vtk, meshio
+os.chdir(sys.argv[1])
+for name, reader in (('a.stl', vtk.vtkSTLReader()), ('b.stl', vtk.vtkSTLReader()), ('a.obj', vtk.vtkOBJReader()),
+                     ('a.ply', vtk.vtkPLYReader()), ('b.ply', vtk.vtkPLYReader())):
+    said = []
+    reader.AddObserver('ErrorEvent', lambda *_: said.append('error'))
+    reader.AddObserver('WarningEvent', lambda *_: said.append('warning'))
+    reader.SetFileName(name)
+    reader.Update()
+    mesh = reader.GetOutput()
+    data = mesh.GetPointData()
+    print(name, mesh.GetNumberOfPoints(), mesh.GetNumberOfCells(), mesh.GetBounds(),
+          [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())], *said)
+for name in ('a.stl', 'b.stl', 'a.obj', 'a.ply', 'b.ply', 'a.off'):
+    mesh = meshio.read(name)
+    print(name, len(mesh.points), [(cells.type, len(cells.data)) for cells in mesh.cells], float(mesh.points.sum()))
+)");
+  const Document document = read_document(files.write(
+      "in.off",
+      "COFF\n4 2 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0.5 1 2 3\n3 0 1 2\n3 0 2 3\n"));
+  for (const char* letter : {"a", "b"})
+    for (const char* ending : {".stl", ".ply"})
+      write_document(files.path(letter + std::string(ending)), document, {.binary = *letter == 'b'});
+  write_document(files.path("a.obj"), document);
+  Document plain = document;
+  plain.node_values.clear();
+  write_document(files.path("a.off"), plain);
+  ASSERT_EQ(std::system((python + script + " " + files.path("") + quiet).c_str()), 0)
+      << files.read(files.path("out"));
+  const std::string box = "(0.0, 1.0, 0.0, 1.0, 0.0, 0.5)";
+  EXPECT_EQ(
+      files.read(files.path("out")),
+      "a.stl 4 2 " + box + " []\nb.stl 4 2 " + box + " []\na.obj 4 2 " + box + " []\na.ply 4 2 " + box +
+          " ['RGB']\nb.ply 4 2 " + box +
+          " ['RGB']\n"
+          "a.stl 4 [('triangle', 2)] 4.5\nb.stl 4 [('triangle', 2)] 4.5\na.obj 4 [('triangle', 2)] 4.5\n"
+          "a.ply 4 [('triangle', 2)] 4.5\nb.ply 4 [('triangle', 2)] 4.5\na.off 4 [('triangle', 2)] 4.5\n");
+}
+
+// Every sample: what is read comes back from its own format but for what the list of losses says.
+TEST(SurfaceDocuments, SamplesComeBack) {
+  const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared";
+  if (!std::filesystem::exists(shared / "formats"))
+    GTEST_SKIP() << shared / "formats"
+                 << " is not here";
+  const test::TestFiles files;
+  int read = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared / "formats")) {
+    const std::string path = entry.path().string();
+    if (!is_surface_file(path)) continue;
+    SCOPED_TRACE(path);
+    Document document;
+    try {
+      document = read_document(path);
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find(path), 0u);
+      continue;
+    }
+    ++read;
+    const bool text = document.title.empty() && document.format == "stl";
+    const std::string again = files.path("again." + document.format);
+    const WriteOptions options{.format = document.format, .binary = document.format == "stl" && !text};
+    for (const Loss& loss : losses(again, document, options))
+      ADD_FAILURE() << loss.item << ": " << loss.example;
+    write_document(again, document, options);
+    const Document back = read_document(again);
+    EXPECT_EQ(told(back), told(document));
+    EXPECT_EQ(test::text_of(back), test::text_of(document));
+  }
+  EXPECT_GE(read, 60);
+}
+
+}  // namespace
+}  // namespace tetproof

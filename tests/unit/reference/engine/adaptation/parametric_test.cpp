@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading D12: points go to the true surface, and what that brings.
+#include "reference/engine/adaptation/parametric.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "corpus/surfaces.hpp"
+#include "tests/support/exact_mesh.hpp"
+#include "reference/generate.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+using Eigen::Vector3d;
+
+double distance_to_sphere(const Vector3d& p) {
+  return std::abs(p.norm() - 1);
+}
+double distance_to_torus(const Vector3d& p) {
+  return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 1, p.z()) - 0.4);
+}
+
+TEST(TrueSurface, PointsOfTheTrianglesLandOnTheSurface) {
+  for (const auto& [spec, distance] :
+       {std::pair{"sphere:r=1,n=500", &distance_to_sphere}, {"torus:R=1,r=0.4,n=800", &distance_to_torus}}) {
+    const TriangleSurface surface = corpus::make_surface(spec);
+    const TrueSurface true_surface(surface);
+    double before = 0;
+    for (const auto& [a, b, c] : surface.triangles)
+      for (const Vector3d& weights :
+           {Vector3d(0.25, 0.5, 0.25), Vector3d(0.5, 0.5, 0), Vector3d(0.125, 0.25, 0.625)}) {
+        const Vector3d p = weights[0] * surface.vertices[a] + weights[1] * surface.vertices[b] +
+                           weights[2] * surface.vertices[c];
+        before = std::max(before, distance(p));
+        EXPECT_LT(distance(true_surface(p)), 1e-14);
+        EXPECT_LT((true_surface(p) - p).norm(), 0.15);
+      }
+    EXPECT_GT(before, 1e-3) << "or nothing was shown";
+  }
+}
+
+TEST(TrueSurface, AVertexIsItsOwnImage) {
+  const TriangleSurface surface = corpus::make_surface("sphere:r=1,n=500");
+  const TrueSurface true_surface(surface);
+  for (const Vector3d& x : surface.vertices) EXPECT_LT((true_surface(x) - x).norm(), 1e-12);
+}
+
+TEST(TrueSurface, AnEvaluatorWithoutAnAnswerLeavesThePoint) {
+  TriangleSurface surface = corpus::make_surface("sphere:r=1,n=100");
+  surface.evaluate = [](const Eigen::Vector2d&) { return Vector3d(NAN, 0, 0); };
+  EXPECT_EQ(TrueSurface(surface)({0.9, 0.1, 0}), Vector3d(0.9, 0.1, 0));
+  surface.parameters.clear();
+  EXPECT_THROW(TrueSurface{surface}, std::logic_error);
+}
+
+TEST(Parametric, NoTetrahedronTurnsOverAndEveryMoveIsCounted) {
+  // An evaluator that goes far astray: most moves would invert something.
+  TriangleSurface surface = corpus::make_surface("sphere:r=1,n=300");
+  const auto sphere = surface.evaluate;
+  surface.evaluate = [sphere](const Eigen::Vector2d& uv) -> Vector3d { return -sphere(uv); };
+  const Generation made = generate(surface, {.cells = {6, 0, 0}, .adapt = AdaptOptions{.points = 100}});
+  EXPECT_GT(made.not_mapped, 0);
+  EXPECT_EQ(exact_mesh::fault(made.grid.mesh), "");
+  EXPECT_EQ(exact_mesh::fault(made.mesh()), "");
+}
+
+// How far the centroids of the boundary's faces are from the true surface, on average and at most.
+struct Distances {
+  double mean = 0, worst = 0;
+};
+Distances of_face_centroids(const TetMesh& mesh, double (*distance)(const Vector3d&)) {
+  std::map<std::array<Index, 3>, int> faces;
+  for (const auto& tet : mesh.tets)
+    for (const auto& [i, j, k] : tet_faces) {
+      std::array face{tet[i], tet[j], tet[k]};
+      std::sort(face.begin(), face.end());
+      ++faces[face];
+    }
+  Distances found;
+  int boundary = 0;
+  for (const auto& [face, tets] : faces) {
+    if (tets != 1) continue;
+    const double d = distance((mesh.points[face[0]] + mesh.points[face[1]] + mesh.points[face[2]]) / 3);
+    found.mean += d;
+    found.worst = std::max(found.worst, d);
+    ++boundary;
+  }
+  found.mean /= boundary;
+  return found;
+}
+
+TEST(Parametric, BoundaryFacesComeCloserToTheTrueSphere) {
+  // A coarse surface, so that its own facets show: without the parametric definition a finer lattice does not
+  // help.
+  std::map<int, std::array<Distances, 2>> distances;
+  for (const int cells : {6, 12, 24}) {
+    for (const bool parametric : {false, true}) {
+      const Generation made = generate(
+          corpus::make_surface("sphere:r=1,n=500"),
+          {.cells = {cells, 0, 0}, .parametric = parametric, .adapt = AdaptOptions{.v0 = {0.2}, .v1 = {1}}});
+      distances[cells][parametric] = of_face_centroids(made.mesh(), &distance_to_sphere);
+    }
+    const auto& [without, with] = distances[cells];
+    std::printf(
+        "%2d cells: face centroids are %.5f from the sphere on average (at most %.5f), and with its "
+        "parametric definition %.5f (%.5f)\n",
+        cells, without.mean, without.worst, with.mean, with.worst);
+    EXPECT_LT(with.mean, 0.8 * without.mean);
+    EXPECT_LT(with.worst, without.worst);
+  }
+  EXPECT_GT(distances[24][false].mean, 0.6 * distances[12][false].mean) << "the facets' own distance stays";
+  EXPECT_LT(distances[24][true].mean, 0.5 * distances[12][true].mean)
+      << "the grid's own chords shrink, but for the points that had to stay";
+  EXPECT_LT(distances[24][true].mean, 0.2 * distances[24][false].mean);
+}
+
+TEST(Parametric, NewBoundaryPointsLieOnTheTrueSurface) {
+  const TriangleSurface surface = corpus::make_surface("torus:R=1,r=0.4,n=800");
+  const Generation made = generate(surface, {.cells = {12, 0, 0}, .adapt = AdaptOptions{}});
+  ASSERT_TRUE(made.adaptation.has_value());
+  const TrueSurface true_surface(surface);
+  std::int64_t on = 0, off = 0;
+  for (std::size_t p = made.grid.mesh.points.size(); p < made.mesh().points.size(); ++p)
+    if (made.adaptation->on_surface[p]) ++(distance_to_torus(made.mesh().points[p]) < 1e-13 ? on : off);
+  EXPECT_GT(on, 100);
+  EXPECT_LT(off, on / 20) << "those that had to stay";
+}
+
+}  // namespace
+}  // namespace tetproof::reference

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A judged surface with its exact volumes, for comparing a mesh with it. Internal.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verify/surface.hpp"
+#include "verify/mesh/volumes.hpp"
+
+namespace tetproof::verify {
+
+struct SurfaceJudgement {
+  SurfaceReport report;
+  std::optional<ExactVolumes> volumes;  ///< one set for each component; absent with a fault
+  std::vector<Index> component_of;      ///< the component of each triangle
+  std::vector<int> weights;             ///< of the components, for the volume inside an odd number of them
+};
+
+SurfaceJudgement judge(const TriangleSurface& surface);
+
+}  // namespace tetproof::verify

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step (v) of two traces: the tetrahedra of the first grid, and what eqs (3.1) to (3.4) and (3.6) make of
+// each.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+
+#include "verify/compare/compare_first_steps.hpp"
+#include "verify/compare/trace_points.hpp"
+
+namespace tetproof::verify {
+
+/// Four numbers of points, ascending: a tetrahedron, however it is written.
+using TetKey = std::array<int, 4>;
+TetKey sorted(std::array<int, 4> points);
+
+/// The reference's first grid, and the comparison of the other's with it.
+class FirstGrid {
+ public:
+  /// Reads up to the first insertion or the end. `steps`: the same reference's, which outlives this.
+  FirstGrid(TraceStream& reference, const FirstSteps& steps);
+
+  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
+
+  const std::optional<trace::FirstGrid>& summary() const { return summary_; }
+  TracePoints& points() { return points_; }  ///< of the first grid, for what comes after it
+
+ private:
+  struct Entry {
+    std::array<int, 4> points;
+    double d, kappa, omega, volume, desired, error;  // kappa is NaN without curvature
+    std::int64_t line, partner;
+  };
+  trace::Weight record(const Entry& entry) const;
+  double curvature_scale() const;  ///< [1/length]
+  void compare_weight(const Entry& entry, const trace::Weight& weight, std::int64_t line,
+                      Differences& differences) const;
+  void compare_summary(const std::optional<trace::FirstGrid>& other, std::int64_t other_line,
+                       Differences& differences) const;
+
+  std::string name(const trace::Tet& tet) const;
+
+  const FirstSteps& steps_;
+  Tolerance tolerance_;
+  TracePoints points_;
+  std::vector<Entry> tets_;
+  std::unordered_map<TetKey, std::size_t, ArrayHash> by_points_;
+  std::optional<trace::FirstGrid> summary_;
+  std::int64_t summary_line_ = 0;
+};
+
+}  // namespace tetproof::verify

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/compare/compare_insertions.hpp"
+
+#include "verify/compare/compare_splits.hpp"
+#include "verify/compare/rounding.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+using namespace trace;
+
+// `more`: what else is known of it.
+Says side(const Split& split, const std::string& more = "") {
+  return {split.line,
+          fmt::format("row {}, E'avg {}{}: {}", split.insertion.row, split.insertion.e_avg, more,
+                      short_text(split.insertion.tet)),
+          to_line(split.insertion)};
+}
+
+std::string place(const Split& split) {
+  const char* const simplex[] = {"edge", "face", "tetrahedron"};
+  std::string text = fmt::format("in the {}", simplex[split.insertion.replaced.size() - 2]);
+  for (const int i : split.insertion.replaced) text += fmt::format(" {}", short_text(split.insertion.tet[i]));
+  return text;
+}
+
+std::string says(const Flip& flip) {
+  return fmt::format("{} flip of the face {} {} {} and the edge {} {}", flip.two_to_three ? "2-3" : "3-2",
+                     short_text(flip.face[0]), short_text(flip.face[1]), short_text(flip.face[2]),
+                     short_text(flip.edge[0]), short_text(flip.edge[1]));
+}
+
+class Insertions {
+ public:
+  Insertions(TraceStream& other, TraceStream& reference, const FirstSteps& steps, FirstGrid& first,
+             TraceComparison& result)
+      : other_(other),
+        reference_(reference),
+        settings_(steps.settings()),
+        tolerance_(steps.tolerance()),
+        points_(first.points()),
+        sizes_{.length = steps.magnitude()},
+        result_(result) {
+    if (first.summary()) {
+      sizes_.volume = scale_ = first.summary()->mean_volume;
+      before_ = first.summary()->e_avg;
+    }
+  }
+
+  void run() {
+    for (std::int64_t n = 1;; ++n) {
+      // The reference first: it says which points there are.
+      const std::optional<Split> a = next(Side::reference, n, nullptr),
+                                 b = next(Side::other, n, a ? &*a : nullptr);
+      if (!a && !b) break;
+      if (!a || !b) return a ? one_ended(n, &*a, nullptr) : one_ended(n, nullptr, &*b);
+      if (!step(n, *a, *b)) return;
+      drift_ = a->e_avg() - b->e_avg();
+      if (std::abs(drift_) > tolerance_.relative * std::abs(a->e_avg())) drift_ = 0;
+      before_ = a->e_avg();
+    }
+    if (!waiting_.empty()) return parted_at_a_tie("both traces end");
+    ends();
+  }
+
+ private:
+  // Insertion n with its flips; nothing at the end of the insertions. `same_n`: the other trace's.
+  std::optional<Split> next(Side side, std::int64_t n, const Split* same_n) {
+    TraceStream& stream = side == Side::reference ? reference_ : other_;
+    const auto* insertion = stream.next_is<Insertion>();
+    if (!insertion) {
+      if (stream.next() && !stream.next_is<End>()) stream.fail("insertion or end");
+      return std::nullopt;
+    }
+    if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
+    Split split{.insertion = *insertion, .line = stream.line()};
+    std::array<int, 4> corners;
+    for (int i = 0; i < 4; ++i) corners[i] = points_.number(side, insertion->tet[i]);
+    split.tet = sorted(corners);
+    for (const int i : insertion->replaced) split.replaced.push_back(corners[i]);
+    std::sort(split.replaced.begin(), split.replaced.end());
+    const auto partner = waiting_.find(split.tet);
+    if (partner != waiting_.end() && partner->second.first != side)
+      split.point = points_.insert(side, insertion->point, partner->second.second.point);
+    else
+      split.point =
+          points_.insert(side, insertion->point, same_n && same_n->tet == split.tet ? same_n->point : -1);
+    for (stream.take(); const auto* flip = stream.next_is<Flip>(); stream.take()) {
+      FlipKey key{};
+      for (int i = 0; i < 3; ++i) key[i] = points_.number(side, flip->face[i]);
+      for (int i = 0; i < 2; ++i) key[3 + i] = points_.number(side, flip->edge[i]);
+      key[5] = flip->two_to_three;
+      std::sort(key.begin(), key.begin() + 3);
+      std::sort(key.begin() + 3, key.begin() + 5);
+      split.flips.push_back({*flip, key, stream.line()});
+    }
+    return split;
+  }
+
+  // An average error far below the mean volume is known to the rounding of volumes only.
+  double rounding(double e_avg) const { return tie * std::abs(e_avg) + 1e-14 * sizes_.volume; }
+
+  // False if the comparison ends here.
+  bool step(std::int64_t n, const Split& a, const Split& b) {
+    // By how much the E_avg's differed before says nothing about the choice.
+    const double difference = a.insertion.e_avg - b.insertion.e_avg;
+    const double size = rounding(std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg)));
+    const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift_) <= size;
+    if (waiting_.empty()) {
+      if (a.tet == b.tet) return same_tet(n, a, b, false);
+      if (!equally_good) return parted_in_choice(n, a, b);
+      tie_ = {n, a, b};
+      group_ = 0;
+    } else if (!equally_good) {
+      const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+      parted_at_a_tie(
+          fmt::format("E'avg first differs at insertion {}: {} in reference, {} in other", n, one, two));
+      return false;
+    }
+    // Within a tie the same splits may come in another order: each waits for its partner.
+    ++group_;
+    if (!meet(n, a, Side::reference) || !meet(n, b, Side::other)) return false;
+    if (waiting_.empty()) result_.reordered += group_;
+    return true;
+  }
+
+  bool meet(std::int64_t n, const Split& split, Side side) {
+    const auto found = waiting_.find(split.tet);
+    if (found == waiting_.end()) {
+      waiting_.emplace(split.tet, std::pair{side, split});
+      return true;
+    }
+    if (found->second.first == side) {  // no trace splits a tetrahedron twice
+      const TraceStream& stream = side == Side::reference ? reference_ : other_;
+      throw InputError(
+          fmt::format("{}:{}: expected a tetrahedron that is there, found the one split in line {}",
+                      stream.path(), split.line, found->second.second.line));
+    }
+    const Split earlier = std::move(found->second.second);
+    waiting_.erase(found);
+    return side == Side::reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
+  }
+
+  // Both split the same tetrahedron: also in the same way?
+  bool same_tet(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
+    const std::string both =
+        fmt::format("insertion {}: both split the tetrahedron at {}", n, at(a.insertion.tet));
+    if (a.insertion.row != b.insertion.row)
+      return diverge(n, Step::table4,
+                     fmt::format("{}, reference by row {} of Table 4, other by row {}", both, a.insertion.row,
+                                 b.insertion.row),
+                     side(a), side(b));
+    if (a.replaced != b.replaced) {
+      const bool as_large = equally_large(a, b, sizes_);
+      diverge(n, Step::table4,
+              fmt::format("{} by row {} of Table 4, but the new point lies in different simplices{}", both,
+                          a.insertion.row, as_large ? ": a tie, they are equally large" : ""),
+              {a.line, place(a), to_line(a.insertion)}, {b.line, place(b), to_line(b.insertion)});
+      if (as_large) result_.verdict = TraceComparison::Verdict::tie;
+      return false;
+    }
+    if (!tolerance_.same(a.insertion.point, b.insertion.point))
+      return diverge(n, Step::point,
+                     fmt::format("{} by row {}, but the new points are {:.3g} apart", both, a.insertion.row,
+                                 (a.insertion.point - b.insertion.point).norm()),
+                     {a.line, text(a.insertion.point), to_line(a.insertion)},
+                     {b.line, text(b.insertion.point), to_line(b.insertion)});
+    if (!in_a_tie && !tolerance_.same(a.insertion.e_avg, b.insertion.e_avg, scale_)) {
+      const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+      return diverge(n, Step::average_after,
+                     fmt::format("{} by row {}, but E'avg is {} against {}", both, a.insertion.row, one, two),
+                     side(a), side(b));
+    }
+    ++result_.insertions;
+    return same_flips(n, a, b, in_a_tie);
+  }
+
+  bool same_flips(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
+    const auto keys = [](const Split& split) {
+      std::vector<FlipKey> all;
+      for (const Flipped& flip : split.flips) all.push_back(flip.key);
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const std::vector<FlipKey> in_a = keys(a), in_b = keys(b);
+    if (in_a == in_b) {  // perhaps in another order, which is no matter of (3.5)
+      result_.flips += static_cast<std::int64_t>(in_a.size());
+      if (in_a.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
+      const auto [one, two] = apart(a.e_avg(), b.e_avg());
+      const Flipped &last_a = a.flips.back(), &last_b = b.flips.back();
+      return diverge(n, Step::average_after,
+                     fmt::format("insertion {}: after the same flips E_avg is {} against {}", n, one, two),
+                     {last_a.line, says(last_a.flip), to_line(last_a.flip)},
+                     {last_b.line, says(last_b.flip), to_line(last_b.flip)});
+    }
+    if (in_a_tie) {  // the surroundings of the two splits may not have been the same
+      parted_at_a_tie(fmt::format("flips differ in lines {} and {}", a.line, b.line));
+      return false;
+    }
+    std::size_t i = 0;
+    while (i < a.flips.size() && i < b.flips.size() && a.flips[i].key == b.flips[i].key) ++i;
+    const Flipped* const one = i < a.flips.size() ? &a.flips[i] : nullptr;
+    const Flipped* const two = i < b.flips.size() ? &b.flips[i] : nullptr;
+    const auto side = [](const Flipped* flipped, std::int64_t line) {
+      return flipped ? Says{flipped->line,
+                            fmt::format("{}; smallest quality {:.6g} to {:.6g}", says(flipped->flip),
+                                        flipped->flip.quality_before, flipped->flip.quality_after),
+                            to_line(flipped->flip)}
+                     : Says{line, "no further flip"};
+    };
+    const auto short_name = [](const Flipped& flipped) {
+      const Flip& flip = flipped.flip;
+      const Point c = (flip.face[0] + flip.face[1] + flip.face[2] + flip.edge[0] + flip.edge[1]) / 5;
+      return fmt::format("makes the {} flip at ({:.4g}, {:.4g}, {:.4g})", flip.two_to_three ? "2-3" : "3-2",
+                         c.x(), c.y(), c.z());
+    };
+    const std::string what =
+        one && two ? fmt::format("insertion {}, flip {}: reference {}, other {}", n, i + 1, short_name(*one),
+                                 short_name(*two))
+        : one      ? fmt::format("insertion {}, flip {}: reference {}, other makes no further flip", n, i + 1,
+                                 short_name(*one))
+                   : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
+                                 short_name(*two));
+    const std::optional<std::string> reason = flips_tie(a, b, i, settings_, sizes_);
+    diverge(n, Step::flips, reason ? what + "; " + *reason : what, side(one, a.line), side(two, b.line));
+    if (reason) result_.verdict = TraceComparison::Verdict::tie;
+    return false;
+  }
+
+  static std::string choice(std::int64_t n, const Split& a, const Split& b) {
+    const auto [one, two] = apart(a.insertion.e_avg, b.insertion.e_avg);
+    return fmt::format(
+        "insertion {}: reference splits the tetrahedron at {} by row {}, other the one at {} by row {}; "
+        "E'avg {} against {}",
+        n, at(a.insertion.tet), a.insertion.row, at(b.insertion.tet), b.insertion.row, one, two);
+  }
+
+  // Where the other one splits that tetrahedron too, its row of Table 4 there may tell what is wrong here.
+  bool parted_in_choice(std::int64_t n, const Split& a, const Split& b) {
+    // The one with the larger E'avg has refused the other's split.
+    const bool by_rounding = refused_by_rounding(a.insertion.e_avg < b.insertion.e_avg ? a : b, sizes_);
+    const auto later = [&](Side side, const Split& wanted, const char* who) {
+      for (std::int64_t i = n + 1; const std::optional<Split> split = next(side, i, nullptr); ++i)
+        if (split->tet == wanted.tet)
+          return fmt::format(" ({} splits it as insertion {}, by row {})", who, i, split->insertion.row);
+      return fmt::format(" ({} never splits it)", who);
+    };
+    std::string what = choice(n, a, b);
+    if (by_rounding)
+      what += "; decided by rounding: the better split makes tetrahedra thinner than it (reading D18)";
+    diverge(n, Step::choice, what, side(a, later(Side::other, a, "other")),
+            side(b, later(Side::reference, b, "reference")));
+    if (by_rounding) result_.verdict = TraceComparison::Verdict::tie;
+    return false;
+  }
+
+  bool diverge(std::int64_t n, Step step, const std::string& what, const Says& reference, const Says& other) {
+    tell(result_, step, 1, {what, reference, other});
+    result_.insertion = n;
+    return false;
+  }
+
+  // The tie is still open, and something is not the same in both.
+  void parted_at_a_tie(const std::string& how) {
+    result_.notes.push_back(fmt::format("the tie was never closed; {}", how));
+    diverge(tie_.n, Step::choice, choice(tie_.n, tie_.a, tie_.b) + ": a tie", side(tie_.a), side(tie_.b));
+    result_.verdict = TraceComparison::Verdict::tie;
+  }
+
+  // One trace has no insertion n.
+  void one_ended(std::int64_t n, const Split* a, const Split* b) {
+    if (!waiting_.empty())
+      return parted_at_a_tie(fmt::format("{} has no insertion {}", a ? "other" : "reference", n));
+    const TraceStream& ended = a ? other_ : reference_;
+    const auto* end = ended.next_is<End>();
+    const Says over{end ? ended.line() : 0,
+                    end ? fmt::format("ends ({})", end->stopped) : "breaks off, without an end record",
+                    end ? to_line(*end) : ""};
+    const Split& split = a ? *a : *b;
+    diverge(n, Step::end,
+            fmt::format("insertion {}: {} {}, {} splits the tetrahedron at {} by row {}", n,
+                        a ? "other" : "reference", over.says, a ? "reference" : "other",
+                        at(split.insertion.tet), split.insertion.row),
+            a ? side(split) : over, a ? over : side(split));
+    if (!end || end->stopped != "no-gain") return;
+    const char* reason = before_ - split.insertion.e_avg <= rounding(before_)
+                             ? "a tie: E_avg falls by rounding"
+                         : refused_by_rounding(split, sizes_)
+                             ? "decided by rounding: the split makes tetrahedra thinner than it (reading D18)"
+                             : nullptr;
+    if (!reason) return;
+    result_.verdict = TraceComparison::Verdict::tie;
+    result_.what += fmt::format("; {}", reason);
+  }
+
+  // Both have no more insertions.
+  void ends() {
+    const End *a = reference_.next_is<End>(), *b = other_.next_is<End>();
+    if (!a && !b) return result_.notes.push_back("both traces break off, without an end record");
+    const auto ending = [](const End* end) {
+      return !end ? std::string("breaks off, without an end record")
+                  : fmt::format("ends ({}) with {} points, {} tetrahedra, E_avg {}", end->stopped,
+                                end->points, end->tets, end->e_avg);
+    };
+    if (a && b && a->stopped == b->stopped && a->points == b->points && a->tets == b->tets &&
+        tolerance_.same(a->e_avg, b->e_avg, scale_))
+      return;
+    diverge(result_.insertions, Step::end,
+            fmt::format("the end: reference {}, other {}", ending(a), ending(b)),
+            {a ? reference_.line() : 0, ending(a), a ? to_line(*a) : ""},
+            {b ? other_.line() : 0, ending(b), b ? to_line(*b) : ""});
+  }
+
+  TraceStream &other_, &reference_;
+  const Settings& settings_;
+  const Tolerance& tolerance_;
+  TracePoints& points_;
+  Magnitudes sizes_;
+  TraceComparison& result_;
+  double scale_ = 0;
+  double drift_ = 0;   // the difference of the E_avg's before the present insertion
+  double before_ = 0;  // the reference's E_avg there
+
+  struct Tie {
+    std::int64_t n;
+    Split a, b;
+  } tie_{};  // the first insertion of the present group
+  std::int64_t group_ = 0;
+  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;  // whose
+};
+
+}  // namespace
+
+void compare_insertions(TraceStream& other, TraceStream& reference, const FirstSteps& steps, FirstGrid& first,
+                        TraceComparison& result) {
+  Insertions(other, reference, steps, first, result).run();
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/distance/piece_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetproof::verify {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+// The part where `height` of the corners is at most 0, and the rest. Both have at most one corner more. False
+// if the line is crossed more than twice: rounding has bent a piece of hardly any width.
+bool cut(const Piece& piece, const std::array<double, most_corners>& height, Piece& below, Piece& above) {
+  below = {.cuts = piece.cuts + 1, .guess = piece.guess};
+  above = below;
+  int crossings = 0;
+  for (int i = 0; i < piece.corners; ++i) {
+    const int k = i, next = (i + 1) % piece.corners;
+    if (height[k] <= 0) below.add(piece.corner.col(k));
+    if (height[k] >= 0) above.add(piece.corner.col(k));
+    if ((height[k] < 0 && height[next] > 0) || (height[k] > 0 && height[next] < 0)) {
+      if (++crossings > 2) return false;
+      // From the same end whichever way the edge is run.
+      const int low = height[k] < 0 ? k : next, high = height[k] < 0 ? next : k;
+      const double share = height[low] / (height[low] - height[high]);
+      const Point p = piece.corner.col(low) + share * (piece.corner.col(high) - piece.corner.col(low));
+      below.add(p);
+      above.add(p);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void PieceSearch::run(PieceWork& work, std::int64_t budget) const {
+  for (; budget > 0 && !work.pieces.empty(); --budget) {
+    const Piece piece = work.pieces.back();
+    work.pieces.pop_back();
+    ++work.looked_at;
+    examine(work, piece);
+  }
+}
+
+bool PieceSearch::examine_over(PieceWork& work, const Piece& piece) const {
+  const TriangleFrame& frame = tree_.frame(piece.guess);
+  std::array<TriangleFrame::Place, most_corners> place;
+  double squared = 0, height = 0;
+  for (int i = 0; i < piece.corners; ++i) {
+    place[i] = frame.place(piece.corner.col(i));
+    squared = std::max(squared, frame.squared_distance(place[i]));
+    height = std::max(height, place[i].zz);
+  }
+  const double goal = target(work), slack = piece.slack();
+  if (std::sqrt(squared) + slack <= goal || piece.cuts >= most_cuts) {
+    work.upper = std::max(work.upper, std::sqrt(squared) + slack);
+    return true;
+  }
+  // The walls stand a little outside the edges, as far as the goal allows.
+  const double free = goal * goal - height;
+  if (free <= 0) return false;
+  return over_prism(work, piece, place, goal, 0.45 * std::sqrt(free)) ||
+         over_prism(work, piece, place, goal, 0);
+}
+
+// What stands over the triangle and `margin` around it is done, the rest goes to its neighbours; or nothing
+// is changed.
+bool PieceSearch::over_prism(PieceWork& work, const Piece& piece, const Places& place, double goal,
+                             double margin) const {
+  const TriangleFrame& frame = tree_.frame(piece.guess);
+  // A cut that takes the middle away leaves at most 5/9 of the piece on a side. Others are tried twice
+  // only.
+  const TriangleFrame::Place middle = frame.place(piece.middle());
+  bool shrinks = true;
+  for (int k = 0; k < 3; ++k) shrinks = shrinks && frame.beyond(k, middle) <= margin;
+  if (!shrinks && (piece.asked || piece.walks >= 2)) return false;
+  std::array<Piece, 3> outside;
+  std::array<int, 3> side;
+  int parts = 0;
+  Piece inside = piece;
+  for (int k = 0; k < 3; ++k) {
+    std::array<double, most_corners> beyond;
+    bool any = false, all = true;
+    for (int i = 0; i < inside.corners; ++i) {
+      beyond[i] = frame.beyond(k, parts ? frame.place(inside.corner.col(i)) : place[i]) - margin;
+      any = any || beyond[i] > 0;
+      all = all && beyond[i] > 0;
+    }
+    if (!any) continue;
+    if (all || inside.corners == most_corners) return false;
+    Piece below;
+    if (!cut(inside, beyond, below, outside[parts])) return false;
+    side[parts++] = k;
+    inside = below;
+    if (inside.corners < 3) return false;
+  }
+  if (parts == 0) return false;
+  double over = 0;
+  for (int i = 0; i < inside.corners; ++i)
+    over = std::max(over, frame.squared_distance(inside.corner.col(i)));
+  if (std::sqrt(over) + inside.slack() > goal) return false;
+  work.upper = std::max(work.upper, std::sqrt(over) + inside.slack());
+  for (int i = 0; i < parts; ++i) {
+    const Index neighbour = tree_.across(piece.guess, side[i]);
+    if (neighbour >= 0) outside[i].guess = neighbour;
+    outside[i].walks = shrinks ? 0 : piece.walks + 1;
+    work.pieces.push_back(outside[i]);
+  }
+  return true;
+}
+
+// The distance at a point of the piece is a lower bound.
+Index PieceSearch::ask(PieceWork& work, const Point& p, Index guess) const {
+  const TriangleTree::Nearest nearest = tree_.nearest(p, guess);
+  const double lower = std::sqrt(nearest.squared) - distance_slack;
+  if (lower > work.lower) {
+    work.lower = lower;
+    work.point = p;
+    work.nearest = nearest.triangle;
+  }
+  return nearest.triangle;
+}
+
+void PieceSearch::examine(PieceWork& work, Piece piece) const {
+  if (examine_over(work, piece)) return;
+  if (!piece.asked) {
+    const Index before = piece.guess;
+    const double goal = target(work);
+    piece.guess = ask(work, piece.middle(), piece.guess);
+    const TriangleFrame& frame = tree_.frame(piece.guess);
+    double farthest = -1;
+    int at = 0;
+    for (int i = 0; i < piece.corners; ++i)
+      if (const double d = frame.squared_distance(piece.corner.col(i)); d > farthest) farthest = d, at = i;
+    if (std::sqrt(farthest) > goal) ask(work, piece.corner.col(at), piece.guess);
+    piece.asked = true;
+    if ((piece.guess != before || target(work) > goal) && examine_over(work, piece)) return;
+  }
+  halve(work, piece);
+}
+
+void PieceSearch::halve(PieceWork& work, const Piece& piece) {
+  int from = 0, to = 0;
+  double longest = -1;
+  for (int i = 0; i < piece.corners; ++i)
+    for (int k = 0; k < i; ++k)
+      if (const double d = (piece.corner.col(i) - piece.corner.col(k)).squaredNorm(); d > longest)
+        longest = d, from = i, to = k;
+  const Point way = piece.corner.col(to) - piece.corner.col(from),
+              middle = piece.corner.col(from) + 0.5 * way;
+  std::array<double, most_corners> height;
+  for (int i = 0; i < piece.corners; ++i) height[i] = (piece.corner.col(i) - middle).dot(way);
+  if (!(longest > 0) || height[from] >= 0 || height[to] <= 0) {  // of no extent: as its corners
+    work.pieces.push_back(piece);
+    work.pieces.back().cuts = most_cuts;
+    return;
+  }
+  Piece below, above;
+  if (piece.corners == most_corners || !cut(piece, height, below, above)) {
+    // Along a diagonal: fewer corners each. (A triangle's sides are crossed twice at most.)
+    below = {.cuts = piece.cuts + 1, .guess = piece.guess};
+    above = below;
+    const int half = piece.corners / 2;
+    for (int i = 0; i <= half; ++i) below.add(piece.corner.col(i));
+    for (int i = half; i <= piece.corners; ++i) above.add(piece.corner.col(i % piece.corners));
+  }
+  work.pieces.push_back(below);
+  work.pieces.push_back(above);
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report as JUnit XML, the form in which CI systems take test results. Written by hand: it is flat, and
+// what XML cannot hold at all (most control characters, bytes that are no UTF-8) must be replaced in any
+// case.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/bytes/xml_text.hpp"
+#include "verify/findings_text.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+using io::xml_escaped;
+
+std::string as_text(std::string_view text) {
+  return xml_escaped(text, io::XmlLines::keep);
+}
+
+std::string property(const char* name, std::string_view value) {
+  return fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml_escaped(value));
+}
+
+// What a test case holds; empty: it passed, and there is nothing to say.
+std::string outcome(const CheckResult& result, bool has_surface, const Numbering& numbering) {
+  const CheckInfo& row = info(result.check);
+  switch (result.verdict) {
+    case Verdict::pass:
+      return {};
+    case Verdict::skipped:
+      return fmt::format("      <skipped message=\"{}\"/>\n",
+                         row.needs_surface && !has_surface ? "needs a surface" : "left out by the options");
+    case Verdict::undecided:
+      return fmt::format(
+          "      <system-out>undecided: measured {:.6g}, allowed {:.6g}, the difference is inside the stated "
+          "error\n</system-out>\n",
+          result.measured.value_or(0), result.allowed.value_or(0));
+    case Verdict::warning:
+      return "      <system-out>" + as_text(check_text(result, numbering)) + "</system-out>\n";
+    case Verdict::fail:
+      break;
+  }
+  const std::string text = check_text(result, numbering);
+  const std::string first = result.findings.empty() ? "follows from what another check found"
+                                                    : finding_text(result.findings[0], numbering);
+  return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", row.id,
+                     xml_escaped(first.substr(0, first.find('\n'))), as_text(text));
+}
+
+}  // namespace
+
+std::string report_junit(const Report& report, const std::string& mesh, const Numbering& numbering) {
+  const auto with = [&](Verdict verdict) {
+    return std::count_if(report.checks.begin(), report.checks.end(),
+                         [&](const CheckResult& result) { return result.verdict == verdict; });
+  };
+  double total = 0;
+  for (const auto& [phase, seconds] : report.seconds) total += seconds;
+  const std::string time = report.seconds.empty() ? "" : fmt::format(" time=\"{:.3f}\"", total);
+  const std::string counts =
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}", report.checks.size(),
+                  with(Verdict::fail), with(Verdict::skipped), time);
+
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format("<testsuites name=\"tetproof-verify\" {}>\n", counts);
+  xml += fmt::format("  <testsuite name=\"{}\" {}>\n    <properties>\n", xml_escaped(mesh), counts);
+  xml += property("verdict", sound(report) ? "sound" : "defective");
+  xml += property("certificate", !report.certificate ? "unknown" : *report.certificate ? "true" : "false");
+  xml += property("points", fmt::format("{}", report.mesh.points));
+  xml += property("tetrahedra", fmt::format("{}", report.mesh.tets));
+  xml += property("boundary_faces", fmt::format("{}", report.mesh.boundary_faces));
+  for (const auto& [phase, seconds] : report.seconds)
+    xml += property(("seconds of " + phase).c_str(), fmt::format("{:.3f}", seconds));
+  xml += "    </properties>\n";
+  for (const CheckResult& result : report.checks) {
+    const std::string inside = outcome(result, report.surface.has_value(), numbering);
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\"{}\n", xml_escaped(mesh),
+                       info(result.check).id, inside.empty() ? "/>" : ">");
+    if (!inside.empty()) xml += inside + "    </testcase>\n";
+  }
+  xml += "    <system-out>" + as_text(report_text(report, numbering)) + "</system-out>\n";
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace tetproof::verify

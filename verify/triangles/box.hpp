@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The box of a triangle, as CGAL's box_intersection_d wants it. Internal.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "verify/triangles/edges.hpp"
+
+namespace tetproof::verify {
+
+/// CGAL's BoxIntersectionBox_d. (Its own boxes take their identity from an address, which changes as they are
+/// sorted, or from a global counter.) The numbers of all boxes of one search must be different.
+struct Box {
+  using NT = double;
+  using ID = std::size_t;
+  static constexpr int dimension() { return 3; }
+  double min_coord(int d) const { return low[static_cast<std::size_t>(d)]; }
+  double max_coord(int d) const { return high[static_cast<std::size_t>(d)]; }
+  ID id() const { return number; }
+
+  std::array<double, 3> low, high;
+  ID number;
+};
+
+inline Box box_of(std::span<const Eigen::Vector3d> points, const Triangle& t, std::size_t number) {
+  const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+  const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}, number};
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/triangles/edges.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace tetproof::verify {
+namespace {
+
+// Disjoint sets whose representative is the lowest member.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(Index i, Index j) {
+    i = find(i), j = find(j);
+    if (i != j) parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+Side next(Side s) {
+  return s % 3 == 2 ? s - 2 : s + 1;
+}
+
+}  // namespace
+
+EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertices,
+                         const std::vector<std::uint8_t>& excluded) {
+  const auto sides = static_cast<Side>(3 * triangles.size());
+  const auto skipped = [&](Side s) { return !excluded.empty() && excluded[static_cast<std::size_t>(s / 3)]; };
+  struct Record {
+    Index high;
+    Side side;
+  };
+  std::vector<Side> start(vertices + 1, 0);
+  for (Side s = 0; s < sides; ++s)
+    if (!skipped(s)) ++start[std::min(from(triangles, s), to(triangles, s)) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Record> records(static_cast<std::size_t>(start.back()));
+  {
+    std::vector<Side> place(start.begin(), start.end() - 1);
+    for (Side s = 0; s < sides; ++s) {
+      if (skipped(s)) continue;
+      const auto [low, high] = std::minmax({from(triangles, s), to(triangles, s)});
+      records[place[low]++] = {high, s};
+    }
+  }
+  EdgeMatching result;
+  result.mate.assign(static_cast<std::size_t>(sides), no_side);
+  for (std::size_t low = 0; low < vertices; ++low) {
+    const auto first = records.begin() + start[low], last = records.begin() + start[low + 1];
+    std::sort(first, last, [](const Record& a, const Record& b) {
+      return a.high != b.high ? a.high < b.high : a.side < b.side;
+    });
+    for (auto i = first; i < last;) {
+      auto j = i + 1;
+      while (j < last && j->high == i->high) ++j;
+      if (j - i == 1) {
+        result.open.push_back(i->side);
+      } else if (j - i == 2) {
+        result.mate[i[0].side] = i[1].side;
+        result.mate[i[1].side] = i[0].side;
+        if (from(triangles, i[0].side) == from(triangles, i[1].side))
+          result.same_direction.push_back({i[0].side, i[1].side});
+      } else {
+        std::vector<Side>& edge = result.nonmanifold.emplace_back();
+        for (auto k = i; k < j; ++k) edge.push_back(k->side);
+      }
+      i = j;
+    }
+  }
+  return result;
+}
+
+Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>& mate,
+                   const std::vector<std::uint8_t>& excluded) {
+  Sets sheet_of(triangles.size()), fan_of(3 * triangles.size());
+  for (Side s = 0; s < static_cast<Side>(mate.size()); ++s) {
+    const Side other = mate[s];
+    if (other < s) continue;  // no mate, or done from the other side
+    sheet_of.unite(s / 3, other / 3);
+    const bool opposite = from(triangles, s) == to(triangles, other);
+    fan_of.unite(s, opposite ? next(other) : other);
+    fan_of.unite(next(s), opposite ? other : next(other));
+  }
+  Sheets result;
+  result.of_triangle.assign(triangles.size(), -1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!excluded.empty() && excluded[t]) continue;
+    const auto root = static_cast<std::size_t>(sheet_of.find(static_cast<Index>(t)));
+    if (root == t) {
+      result.of_triangle[t] = static_cast<Index>(result.sheets.size());
+      result.sheets.push_back({.first_triangle = static_cast<Index>(t)});
+    }
+    result.of_triangle[t] =
+        result.of_triangle[root];  // the representative is the lowest, so it has its number already
+    Sheet& sheet = result.sheets[result.of_triangle[t]];
+    ++sheet.triangles;
+    for (Side s = static_cast<Side>(3 * t); s < static_cast<Side>(3 * t + 3); ++s) {
+      sheet.open_sides += mate[s] == no_side;
+      if (fan_of.find(s) != s) continue;
+      ++sheet.vertices;
+      result.vertices_of_fans.push_back(from(triangles, s));
+    }
+  }
+  std::sort(result.vertices_of_fans.begin(), result.vertices_of_fans.end());
+  return result;
+}
+
+}  // namespace tetproof::verify

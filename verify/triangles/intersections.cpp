@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/triangles/intersections.hpp"
+
+#include <CGAL/box_intersection_d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "verify/triangles/box.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+// The boxes dealt to slabs across one axis, so that slabs can be searched by themselves. A box is in every
+// slab that it reaches; a pair belongs to the later of the slabs in which its two boxes begin, and both reach
+// that one.
+struct Slabs {
+  int axis = 0;
+  std::vector<double> splits;  // where all slabs but the first begin
+
+  std::uint32_t slab_of(double x) const {
+    return static_cast<std::uint32_t>(std::upper_bound(splits.begin(), splits.end(), x) - splits.begin());
+  }
+};
+
+Slabs make_slabs(const std::vector<Box>& boxes) {
+  constexpr std::size_t boxes_each = 16384;
+  // The axis across which boxes are thinnest; so many slabs that boxes reach about one more than they begin
+  // in.
+  Slabs slabs;
+  double reach = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = boxes[0].low[axis], high = low, sum = 0;
+    for (const Box& box : boxes) {
+      low = std::min(low, box.low[axis]);
+      high = std::max(high, box.high[axis]);
+      sum += box.high[axis] - box.low[axis];
+    }
+    const double share = sum / (static_cast<double>(boxes.size()) * (high - low));
+    if (share < reach) reach = share, slabs.axis = axis;
+  }
+  const double most = std::min(static_cast<double>(boxes.size() / boxes_each), 1 / reach);
+  const auto count = most >= 2 ? static_cast<std::size_t>(most) : 1;
+  std::vector<double> lows(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), lows.begin(),
+                 [&](const Box& box) { return box.low[slabs.axis]; });
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto at = lows.begin() + static_cast<std::ptrdiff_t>(i * lows.size() / count);
+    std::nth_element(lows.begin(), at, lows.end());
+    slabs.splits.push_back(*at);
+  }
+  return slabs;
+}
+
+// The first `most` in order, each once.
+template <class T>
+void keep_first(std::vector<T>& list, std::size_t most) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  if (list.size() > most) list.resize(most), list.shrink_to_fit();
+}
+
+template <class T>
+void add(std::vector<T>& list, const T& item, std::size_t most) {
+  list.push_back(item);
+  if (list.size() > 2 * most + 1024) keep_first(list, most);
+}
+
+void keep_first(Intersections& all, std::size_t most) {
+  keep_first(all.pairs, most);
+  keep_first(all.contacts, most);
+  keep_first(all.folds, most);
+  keep_first(all.near, most);
+}
+
+// Some pairs that meet, at least one, where there are very many: each triangle with those before it, until
+// there are enough, or too much was compared.
+std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
+                                             std::span<const Triangle> triangles,
+                                             const std::vector<Box>& boxes, std::size_t enough) {
+  constexpr std::size_t most_compared = 2'000'000'000;
+  std::vector<std::array<Index, 2>> pairs;
+  std::size_t compared = 0;
+  for (std::size_t i = 0;
+       i < boxes.size() && pairs.size() < enough && (pairs.empty() || compared < most_compared); ++i) {
+    compared += i;
+    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k) {
+      const Box &x = boxes[k], &y = boxes[i];
+      bool apart = false;
+      for (int axis = 0; axis < 3; ++axis)
+        apart = apart || x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis];
+      if (!apart && triangles_meet(points, triangles[x.number], triangles[y.number]))
+        pairs.push_back({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+struct TooManyPairs {};
+
+// Counts up to most_counted_pairs, from many threads, and then ends the search.
+class Counter {
+ public:
+  void count_one() {
+    if (count_.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
+  }
+  bool too_many() const { return count_ > most_counted_pairs; }
+
+ private:
+  std::atomic<std::int64_t> count_ = 0;
+};
+
+}  // namespace
+
+Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
+                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
+                                 const Near* near) {
+  if (near && !near->usable()) near = nullptr;
+  const double room = near ? near->limit() * near->diagonal() : 0;
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (excluded.empty() || !excluded[t]) {
+      boxes.push_back(box_of(points, triangles[t], t));
+      for (int k = 0; k < 3; ++k) boxes.back().low[k] -= room, boxes.back().high[k] += room;
+    }
+  Intersections result;
+  if (boxes.empty()) return result;
+
+  const Slabs slabs = make_slabs(boxes);
+  std::vector<std::uint32_t> begins(triangles.size()), ends(triangles.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+    begins[boxes[i].number] = slabs.slab_of(boxes[i].low[slabs.axis]);
+    ends[boxes[i].number] = slabs.slab_of(boxes[i].high[slabs.axis]);
+  });
+  const std::optional<Nearby> nearby =
+      near ? std::optional<Nearby>(std::in_place, points, triangles, *near) : std::nullopt;
+  std::mutex joining;
+  Counter met, near_pairs;
+  tbb::parallel_for(
+      std::size_t{0}, slabs.splits.size() + 1,
+      [&](std::size_t slab) {
+        std::vector<Box> mine;
+        for (const Box& box : boxes)
+          if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
+        Intersections found;
+        const auto meet = [&](const Box& x, const Box& y) {
+          if (std::max(begins[x.number], begins[y.number]) != slab) return;
+          const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+          if (nearby && nearby->wide_apart(triangles[low], triangles[high])) return;
+          const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
+          if (meeting) {
+            ++found.count;
+            met.count_one();
+            add(found.pairs, std::array<Index, 2>{low, high}, most);
+          }
+          if (!nearby) return;
+          const PairNearness pair = nearby->look(x, y, meeting);
+          if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs.count_one();
+          for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], most);
+          if (pair.near) {
+            ++found.near_count;
+            add(found.near, std::array<Index, 2>{low, high}, most);
+          }
+          if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, most);
+        };
+        try {
+          // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
+          // default, 10.
+          CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
+                                        CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
+                                        CGAL::Box_intersection_d::CLOSED);
+        } catch (const TooManyPairs&) {
+          return;
+        }
+        // The first of a union are the first of its parts' first, in whatever order the parts come.
+        const std::lock_guard lock(joining);
+        const auto join = [&](auto& all, const auto& part) {
+          all.insert(all.end(), part.begin(), part.end());
+          if (all.size() > 2 * most + 1024) keep_first(all, most);
+        };
+        result.count += found.count;
+        result.near_count += found.near_count;
+        join(result.pairs, found.pairs);
+        join(result.contacts, found.contacts);
+        join(result.folds, found.folds);
+        join(result.near, found.near);
+      },
+      tbb::simple_partitioner());
+  // Whether there are too many does not depend on the threads; which were found first does.
+  if (near && near_pairs.too_many()) {
+    result = self_intersections(points, triangles, excluded, most);
+    result.more_near = true;
+    return result;
+  }
+  if (met.too_many())
+    return {.more = true,
+            .count = most_counted_pairs,
+            .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};
+  keep_first(result, most);
+  return result;
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/surface.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <concepts>
+
+#include "verify/triangles/edges.hpp"
+#include "verify/triangles/intersections.hpp"
+#include "verify/checks/surface_judgement.hpp"
+#include "verify/mesh/volumes.hpp"
+#include "verify/triangles/winding.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+std::string plural(std::integral auto n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string edge_name(std::span<const Triangle> triangles, Side s) {
+  return fmt::format("{}-{}", std::min(from(triangles, s), to(triangles, s)),
+                     std::max(from(triangles, s), to(triangles, s)));
+}
+
+std::string triangle_name(const TriangleSurface& surface, Index t) {
+  const Triangle& v = surface.triangles[t];
+  return fmt::format("{} ({} {} {})", t, v[0], v[1], v[2]);
+}
+
+std::string fault_of_numbers(const TriangleSurface& surface) {
+  const auto vertices = static_cast<Index>(surface.vertices.size());
+  if (surface.triangles.empty()) return "the surface has no triangles";
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const Index v : surface.triangles[t]) {
+      if (v < 0 || v >= vertices)
+        return fmt::format("triangle {} names vertex {}, expected one of 0..{}", t, v, vertices - 1);
+      const Eigen::Vector3d& p = surface.vertices[v];
+      if (!p.allFinite())
+        return fmt::format("vertex {} of triangle {} is not finite: ({}, {}, {})", v, t, p.x(), p.y(), p.z());
+    }
+  return "";
+}
+
+// Vertices with more than one fan, ascending.
+std::vector<Index> pinched(const std::vector<Index>& vertices_of_fans) {
+  std::vector<Index> several;
+  for (std::size_t i = 1; i < vertices_of_fans.size(); ++i)
+    if (vertices_of_fans[i] == vertices_of_fans[i - 1] &&
+        (several.empty() || several.back() != vertices_of_fans[i]))
+      several.push_back(vertices_of_fans[i]);
+  return several;
+}
+
+std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatching& edges,
+                                 const Sheets& sheets) {
+  const std::span<const Triangle> triangles = surface.triangles;
+  if (!edges.open.empty())
+    return fmt::format("the surface is open: {} one triangle (first: {})",
+                       plural(edges.open.size(), "edge has", "edges have"),
+                       edge_name(triangles, edges.open.front()));
+  if (!edges.nonmanifold.empty())
+    return fmt::format("the surface is not manifold: {} more than two triangles (first: {} has {})",
+                       plural(edges.nonmanifold.size(), "edge has", "edges have"),
+                       edge_name(triangles, edges.nonmanifold.front().front()),
+                       edges.nonmanifold.front().size());
+  if (const std::vector<Index> vertices = pinched(sheets.vertices_of_fans); !vertices.empty()) {
+    const Eigen::Vector3d& p = surface.vertices[vertices.front()];
+    return fmt::format(
+        "the surface is not manifold: {} more than one fan of triangles (first: {} at ({}, {}, {}))",
+        plural(vertices.size(), "vertex has", "vertices have"), vertices.front(), p.x(), p.y(), p.z());
+  }
+  if (!edges.same_direction.empty())
+    return fmt::format(
+        "the surface is not consistently oriented: {} run twice in the same direction (first: {}, by "
+        "triangles {} and {})",
+        plural(edges.same_direction.size(), "edge is", "edges are"),
+        edge_name(triangles, edges.same_direction.front()[0]), edges.same_direction.front()[0] / 3,
+        edges.same_direction.front()[1] / 3);
+  return "";
+}
+
+std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate& degenerate,
+                               const EdgeMatching& edges) {
+  if (degenerate.count > 0) {
+    const auto first =
+        std::find(degenerate.triangles.begin(), degenerate.triangles.end(), 1) - degenerate.triangles.begin();
+    return fmt::format("{} no area (first: {})", plural(degenerate.count, "triangle has", "triangles have"),
+                       triangle_name(surface, static_cast<Index>(first)));
+  }
+  std::int64_t twice = 0;
+  Index first = -1;
+  for (Index t = 0; t < static_cast<Index>(surface.triangles.size()); ++t) {
+    const Index other = edges.mate[3 * t] / 3;
+    if (other < t || edges.mate[3 * t + 1] / 3 != other || edges.mate[3 * t + 2] / 3 != other) continue;
+    if (twice++ == 0) first = t;
+  }
+  if (twice > 0)
+    return fmt::format("{} twice (first: {} and {})",
+                       plural(twice, "triangle is there", "triangles are there"),
+                       triangle_name(surface, first), edges.mate[3 * first] / 3);
+  const Intersections meetings = self_intersections(surface.vertices, surface.triangles, {}, 1);
+  if (meetings.count > 0)
+    return fmt::format(
+        "the surface intersects itself: {}{} (first: {} and {})", meetings.more ? "more than " : "",
+        plural(meetings.count, "pair of triangles meets", "pairs of triangles meet"),
+        triangle_name(surface, meetings.pairs[0][0]), triangle_name(surface, meetings.pairs[0][1]));
+  return "";
+}
+
+std::string component_name(const SurfaceReport& report, std::size_t i) {
+  const SurfaceComponent& c = report.components[i];
+  return fmt::format("component {} ({} triangles from {}, volume {:.6g})", i, c.triangles, c.first_triangle,
+                     c.volume);
+}
+
+// Orientation and nesting of the components: volumes, depths, and whether they agree on what is inside.
+void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
+  SurfaceReport& report = judgement.report;
+  const std::size_t n = sheets.sheets.size();
+  judgement.component_of = sheets.of_triangle;
+  const ExactVolumes& volumes =
+      judgement.volumes.emplace(surface.vertices, surface.triangles, sheets.of_triangle, n);
+  std::vector<int> depths(n, 0);
+  if (n > 1) depths = nesting_depths(surface.vertices, surface.triangles, sheets);
+  std::vector<int>& weights = judgement.weights;
+  weights.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    weights[i] = depths[i] % 2 == 0 ? volumes.sign(i) : -volumes.sign(i);
+    report.components.push_back({.triangles = sheets.sheets[i].triangles,
+                                 .vertices = sheets.sheets[i].vertices,
+                                 .first_triangle = sheets.sheets[i].first_triangle,
+                                 .outward = volumes.sign(i) > 0,
+                                 .depth = depths[i],
+                                 .genus = sheets.sheets[i].genus(),
+                                 .volume = volumes.volume(i)});
+    report.genus += sheets.sheets[i].genus();
+  }
+  report.volume = volumes.weighted_sum(weights);
+
+  std::array<std::vector<std::size_t>, 2> outward, inward;  // by the parity of the depth
+  for (std::size_t i = 0; i < n; ++i)
+    (report.components[i].outward ? outward : inward)[depths[i] % 2].push_back(i);
+  for (const int parity : {0, 1}) {
+    if (outward[parity].empty() || inward[parity].empty()) continue;
+    const auto more = [](std::size_t count) {
+      return count > 1 ? fmt::format(" and {} more", count - 1) : "";
+    };
+    report.fault = fmt::format("the surface is not consistently oriented: {}{} inward, but {}{} outward, {}",
+                               component_name(report, inward[parity][0]),
+                               more(inward[parity].size()) + (inward[parity].size() > 1 ? " are" : " is"),
+                               component_name(report, outward[parity][0]),
+                               more(outward[parity].size()) + (outward[parity].size() > 1 ? " are" : " is"),
+                               parity == 0 ? "none of them in a cavity" : "all of them inside others");
+    return;
+  }
+  if (!inward[0].empty())
+    report.notes.push_back(
+        "the surface is oriented inward; what is inside is decided by parity, so nothing changes");
+  if (const auto& nested = inward[0].empty() ? outward[1] : inward[1]; !nested.empty())
+    report.notes.push_back(
+        fmt::format("{} lies inside another and points the same way; what is inside is decided by parity: it "
+                    "bounds a cavity",
+                    component_name(report, nested[0])));
+}
+
+double area_of(const TriangleSurface& surface) {
+  double sum = 0;
+  for (const Triangle& t : surface.triangles)
+    sum += (surface.vertices[t[1]] - surface.vertices[t[0]])
+               .cross(surface.vertices[t[2]] - surface.vertices[t[0]])
+               .norm() /
+           2;
+  return sum;
+}
+
+}  // namespace
+
+std::int64_t SurfaceReport::cavities() const {
+  return std::count_if(components.begin(), components.end(),
+                       [](const SurfaceComponent& c) { return c.depth % 2 == 1; });
+}
+
+SurfaceReport judge_surface(const TriangleSurface& surface) {
+  return judge(surface).report;
+}
+
+JudgedSurface::JudgedSurface(const TriangleSurface& surface)
+    : surface_(&surface), judgement_(std::make_shared<SurfaceJudgement>(judge(surface))) {}
+
+const SurfaceReport& JudgedSurface::report() const {
+  return judgement_->report;
+}
+
+SurfaceJudgement judge(const TriangleSurface& surface) {
+  SurfaceJudgement judgement;
+  SurfaceReport& report = judgement.report;
+  report.vertices = static_cast<std::int64_t>(surface.vertices.size());
+  report.triangles = static_cast<std::int64_t>(surface.triangles.size());
+  report.fault = fault_of_numbers(surface);
+  if (!report.fault.empty()) return judgement;
+
+  report.box_min = report.box_max = surface.vertices[surface.triangles[0][0]];
+  for (const Triangle& t : surface.triangles)
+    for (const Index v : t) {
+      report.box_min = report.box_min.cwiseMin(surface.vertices[v]);
+      report.box_max = report.box_max.cwiseMax(surface.vertices[v]);
+    }
+  report.area = area_of(surface);
+
+  // A triangle that names a vertex twice has no sides to match: whether the others close is asked without it.
+  std::vector<std::uint8_t> excluded;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    if (a != b && b != c && c != a) continue;
+    if (excluded.empty()) excluded.assign(surface.triangles.size(), 0);
+    excluded[t] = 1;
+  }
+  const EdgeMatching edges = match_edges(surface.triangles, surface.vertices.size(), excluded);
+  const Sheets sheets = find_sheets(surface.triangles, edges.mate, excluded);
+  report.fault = fault_of_connections(surface, edges, sheets);
+  if (report.fault.empty())
+    report.fault =
+        fault_of_triangles(surface, degenerate_triangles(surface.vertices, surface.triangles), edges);
+  if (report.fault.empty()) judge_components(surface, sheets, judgement);
+  return judgement;
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/triangles/winding.hpp"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/box_intersection_d.h>
+#include <Eigen/Geometry>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "verify/triangles/box.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+using Exact = CGAL::Mpzf;
+using Point = std::array<Exact, 3>;  // three times the coordinates, so that a centroid is a sum
+
+Point scaled(const Eigen::Vector3d& p) {
+  return {Exact(3) * Exact(p.x()), Exact(3) * Exact(p.y()), Exact(3) * Exact(p.z())};
+}
+
+Point centroid(std::span<const Eigen::Vector3d> points, const Triangle& t) {
+  Point sum;
+  for (int k = 0; k < 3; ++k)
+    sum[k] = Exact(points[t[0]][k]) + Exact(points[t[1]][k]) + Exact(points[t[2]][k]);
+  return sum;
+}
+
+// The component of (b-a) x (c-a) along an axis: twice the signed area of the projection along it.
+Exact normal(const Point& a, const Point& b, const Point& c, int axis) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+}
+
+// Six times the volume of a tetrahedron, times 27.
+Exact determinant(std::span<const Eigen::Vector3d> points, const std::array<Index, 4>& tet) {
+  const Point a = scaled(points[tet[0]]), b = scaled(points[tet[1]]), c = scaled(points[tet[2]]),
+              d = scaled(points[tet[3]]);
+  Exact sum = 0;
+  for (int k = 0; k < 3; ++k) sum += normal(a, b, c, k) * (d[k] - a[k]);
+  return sum;
+}
+
+struct Ray {
+  Index start;
+  Point origin;
+  int axis, direction;
+};
+
+Ray ray_from(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, Index start) {
+  const Triangle& t = triangles[start];
+  const Point a = scaled(points[t[0]]), b = scaled(points[t[1]]), c = scaled(points[t[2]]);
+  // Any axis that is not in the triangle's plane will do; the steepest by doubles first, as its projection is
+  // fattest.
+  const Eigen::Vector3d n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+  Ray ray{start, centroid(points, t), 0, 0};
+  n.cwiseAbs().maxCoeff(&ray.axis);
+  for (int tries = 0; tries < 3 && ray.direction == 0; ++tries) {
+    if (tries) ray.axis = (ray.axis + 1) % 3;
+    ray.direction = static_cast<int>(CGAL::sign(normal(a, b, c, ray.axis)));
+  }
+  return ray;
+}
+
+// On which side of the projected line from a to b the origin lies, moved by (e, e^2) for an infinitesimal e;
+// 0 if a = b.
+int side(const Point& a, const Point& b, const Ray& ray) {
+  const int exactly = static_cast<int>(CGAL::sign(normal(a, b, ray.origin, ray.axis)));
+  if (exactly != 0) return exactly;
+  const int i = (ray.axis + 1) % 3, j = (ray.axis + 2) % 3;
+  const int along_i = static_cast<int>(CGAL::sign(a[j] - b[j]));
+  return along_i != 0 ? along_i : static_cast<int>(CGAL::sign(b[i] - a[i]));
+}
+
+// +1 or -1 as in Crossing, 0 if the ray misses the triangle.
+int crossing(std::span<const Eigen::Vector3d> points, const Triangle& t, const Ray& ray) {
+  const Point a = scaled(points[t[0]]), b = scaled(points[t[1]]), c = scaled(points[t[2]]);
+  const int facing = side(a, b, ray);
+  if (facing == 0 || side(b, c, ray) != facing || side(c, a, ray) != facing) return 0;
+  Exact height = 0;  // of the origin over the triangle's plane, times the normal's length
+  for (int k = 0; k < 3; ++k) height += normal(a, b, c, k) * (ray.origin[k] - a[k]);
+  const int ahead = -static_cast<int>(CGAL::sign(height)) * facing * ray.direction;  // along the ray
+  return ahead > 0 ? facing * ray.direction : 0;
+}
+
+// A box around the ray: an enclosure of the origin, open towards its direction.
+Box box_of(const Ray& ray, std::size_t number) {
+  Box box{{}, {}, number};
+  for (int k = 0; k < 3; ++k) {
+    std::tie(box.low[k], box.high[k]) = CGAL::to_interval(CGAL::Gmpq(ray.origin[k]) / 3);
+    if (k != ray.axis) continue;
+    (ray.direction > 0 ? box.high[k] : box.low[k]) = ray.direction * std::numeric_limits<double>::infinity();
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<std::vector<Crossing>> cast_rays(std::span<const Eigen::Vector3d> points,
+                                             std::span<const Triangle> triangles,
+                                             std::span<const Index> starts) {
+  std::vector<Ray> rays;
+  std::vector<Box> ray_boxes, triangle_boxes;
+  for (const Index start : starts) {
+    rays.push_back(ray_from(points, triangles, start));
+    ray_boxes.push_back(box_of(rays.back(), triangles.size() + ray_boxes.size()));
+  }
+  // Few rays pass few triangles; the others need not be sorted.
+  Box all = ray_boxes.empty() ? Box{} : ray_boxes[0];
+  for (const Box& box : ray_boxes)
+    for (int k = 0; k < 3; ++k) {
+      all.low[k] = std::min(all.low[k], box.low[k]);
+      all.high[k] = std::max(all.high[k], box.high[k]);
+    }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Box box = box_of(points, triangles[t], t);
+    bool near = true;
+    for (int k = 0; k < 3; ++k) near = near && box.low[k] <= all.high[k] && box.high[k] >= all.low[k];
+    if (near) triangle_boxes.push_back(box);
+  }
+  std::vector<std::vector<Crossing>> crossings(rays.size());
+  CGAL::box_intersection_d(ray_boxes.begin(), ray_boxes.end(), triangle_boxes.begin(), triangle_boxes.end(),
+                           [&](const Box& r, const Box& t) {
+                             const std::size_t i = r.number - triangles.size();
+                             const auto triangle = static_cast<Index>(t.number);
+                             if (triangle == rays[i].start) return;
+                             if (const int sign = crossing(points, triangles[t.number], rays[i]))
+                               crossings[i].push_back({triangle, sign});
+                           });
+  for (auto& list : crossings)
+    std::sort(list.begin(), list.end(),
+              [](const Crossing& a, const Crossing& b) { return a.triangle < b.triangle; });
+  return crossings;
+}
+
+std::vector<int> nesting_depths(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
+                                const Sheets& sheets) {
+  std::vector<Index> starts;
+  for (const Sheet& sheet : sheets.sheets) starts.push_back(sheet.first_triangle);
+  const auto crossings = cast_rays(points, triangles, starts);
+  std::vector<int> depths;
+  std::vector<Index> crossed;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    crossed.clear();
+    for (const Crossing& c : crossings[i])
+      if (const Index sheet = sheets.of_triangle[c.triangle]; sheet >= 0 && sheet != static_cast<Index>(i))
+        crossed.push_back(sheet);
+    std::sort(crossed.begin(), crossed.end());
+    int depth = 0;
+    for (std::size_t j = 0, k; j < crossed.size(); j = k) {
+      for (k = j; k < crossed.size() && crossed[k] == crossed[j];) ++k;
+      depth += (k - j) % 2;
+    }
+    depths.push_back(depth);
+  }
+  return depths;
+}
+
+Index tet_inside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded, const Triangle& triangle,
+                 Index without) {
+  const std::span<const Eigen::Vector3d> points = mesh.points;
+  const Point a = scaled(points[triangle[0]]), b = scaled(points[triangle[1]]),
+              c = scaled(points[triangle[2]]);
+  const Point origin = centroid(points, triangle),
+              inwards{normal(a, c, b, 0), normal(a, c, b, 1), normal(a, c, b, 2)};
+  Eigen::Vector3d low, high;
+  for (int k = 0; k < 3; ++k) std::tie(low[k], high[k]) = CGAL::to_interval(CGAL::Gmpq(origin[k]) / 3);
+  // Inside every face, or on it and on the way inwards.
+  const auto contains = [&](const std::array<Index, 4>& tet) {
+    for (const auto& corners : tet_faces) {
+      const Point p = scaled(points[tet[corners[0]]]), q = scaled(points[tet[corners[1]]]),
+                  r = scaled(points[tet[corners[2]]]);
+      Exact height = 0, way = 0;
+      for (int k = 0; k < 3; ++k) {
+        const Exact n = normal(p, q, r, k);
+        height += n * (origin[k] - p[k]);
+        way += n * inwards[k];
+      }
+      const CGAL::Sign outside = CGAL::sign(height) != CGAL::ZERO ? CGAL::sign(height) : CGAL::sign(way);
+      if (outside == CGAL::POSITIVE) return false;
+    }
+    return true;
+  };
+  const auto first = [&](const tbb::blocked_range<std::size_t>& range, Index found) {
+    for (std::size_t t = range.begin(); t < range.end() && found < 0; ++t) {
+      if (static_cast<Index>(t) == without || (!excluded.empty() && excluded[t])) continue;
+      const std::array<Index, 4>& tet = mesh.tets[t];
+      const Eigen::Vector3d &p = points[tet[0]], &q = points[tet[1]], &r = points[tet[2]],
+                            &s = points[tet[3]];
+      if ((p.cwiseMin(q).cwiseMin(r.cwiseMin(s)).array() > high.array()).any()) continue;
+      if ((p.cwiseMax(q).cwiseMax(r.cwiseMax(s)).array() < low.array()).any()) continue;
+      if (CGAL::sign(determinant(points, tet)) == CGAL::POSITIVE && contains(tet))
+        found = static_cast<Index>(t);
+    }
+    return found;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.tets.size(), 16384), Index{-1}, first,
+                              [](Index x, Index y) { return x < 0   ? y
+                                                            : y < 0 ? x
+                                                                    : std::min(x, y); });
+}
+
+}  // namespace tetproof::verify
