@@ -11,7 +11,7 @@
 #include "io/model/document_positions.hpp"
 #include "io/bytes/large_pages.hpp"
 #include "io/supplement/supplement.hpp"
-#include "io/supplement/supplement_words.hpp"
+#include "io/supplement/supplement_decoder.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/bytes/large_pages.hpp"
 #include "io/model/second_order.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/tetgen/tetgen_parts.hpp"
+#include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/document.hpp"
-#include "io/tetgen/tetgen_parts.hpp"
+#include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 

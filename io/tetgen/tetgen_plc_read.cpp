@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "io/model/element_types.hpp"
-#include "io/tetgen/tetgen_parts.hpp"
+#include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 namespace {

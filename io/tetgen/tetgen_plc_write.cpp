@@ -4,7 +4,7 @@
 
 #include "io/error.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/tetgen/tetgen_files.hpp"
+#include "io/tetgen/tetgen_write_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -2,7 +2,7 @@
 // What TetGen's files say of nodes and elements that others list: .neigh, .t2f, .t2e, .f2e, .vol, .mtr, .var.
 #include <fmt/format.h>
 
-#include "io/tetgen/tetgen_parts.hpp"
+#include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/error.hpp"
-#include "io/tetgen/tetgen_parts.hpp"
+#include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -2,7 +2,7 @@
 // The Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell.
 #include <fmt/format.h>
 
-#include "io/tetgen/tetgen_files.hpp"
+#include "io/tetgen/tetgen_write_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/model/second_order.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/tetgen/tetgen_files.hpp"
+#include "io/tetgen/tetgen_write_parts.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "io/error.hpp"
-#include "io/traces/trace_records.hpp"
+#include "io/traces/trace_keys.hpp"
 
 namespace tetproof::trace {
 namespace {

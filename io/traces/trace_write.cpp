@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "io/bytes/text_output.hpp"
-#include "io/traces/trace_records.hpp"
+#include "io/traces/trace_keys.hpp"
 
 namespace tetproof::trace {
 namespace {

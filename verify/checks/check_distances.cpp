@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "verify/triangles/chunks.hpp"
-#include "verify/checks/comparison.hpp"
+#include "verify/checks/surface_comparison.hpp"
 #include "verify/distance/directed_distance.hpp"
 #include "verify/triangles/on_triangle.hpp"
 

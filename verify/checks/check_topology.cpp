@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "verify/checks/comparison.hpp"
+#include "verify/checks/surface_comparison.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
 #include "verify/triangles/winding.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "verify/checks/comparison.hpp"
+#include "verify/checks/surface_comparison.hpp"
 #include "verify/voxel_volume.hpp"
 #include "verify/triangles/winding.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "verify/checks/comparison.hpp"
+#include "verify/checks/surface_comparison.hpp"
 #include "verify/voxels/deep_voxels.hpp"
 #include "verify/mesh/tets_at.hpp"
 #include "verify/voxel_volume.hpp"
