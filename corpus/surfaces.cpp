@@ -8,8 +8,8 @@
 #include "corpus/generators/generators.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
-#include "io/surface_files.hpp"
 #include "io/model/weld.hpp"
+#include "io/surface_files.hpp"
 
 namespace tetproof::corpus {
 namespace {

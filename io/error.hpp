@@ -8,9 +8,9 @@
 
 namespace tetproof {
 
-/// Bad input. `what()` is one line that tells the reader what to do: place, what was expected, what was found,
-/// as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. What names from
-/// files bring along of control characters is shown as '?'.
+/// Bad input. `what()` is one line that tells the reader what to do: place, what was expected, what was
+/// found, as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. What names
+/// from files bring along of control characters is shown as '?'.
 struct InputError : std::runtime_error {
   explicit InputError(std::string message) : std::runtime_error(in_one_line(std::move(message))) {}
 

@@ -7,10 +7,11 @@
 #include <stdexcept>
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
+#include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"
 #include "io/loss/holds.hpp"
-#include "io/bytes/input_file.hpp"
 #include "io/medit/medit.hpp"
 #include "io/msh/msh.hpp"
 #include "io/obj/obj.hpp"
@@ -20,7 +21,6 @@
 #include "io/supplement/supplement.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/bytes/tokens.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtu.hpp"
 

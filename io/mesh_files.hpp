@@ -48,8 +48,8 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options);
 
 /// Reads .msh 1 to 3, 4.0 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either
 /// brings the other), .vtu, .vtk, .mesh, .meshb, surfaces, and through Gmsh what only it reads:
-/// `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. What the format permits is read as it is written: indices that
-/// name no node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not
+/// `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. What the format permits is read as it is written: indices
+/// that name no node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not
 /// permit.
 Document read_document(const std::string& path);
 

@@ -9,17 +9,17 @@
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/byte_order.hpp"
-#include "io/surface/document_surface.hpp"
-#include "io/error.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/tokens.hpp"
+#include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/obj/obj.hpp"
 #include "io/off/off.hpp"
 #include "io/ply/ply.hpp"
-#include "io/surface/polygons.hpp"
 #include "io/stl/stl.hpp"
+#include "io/surface/document_surface.hpp"
+#include "io/surface/polygons.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof {
 namespace {

@@ -14,9 +14,9 @@ namespace tetproof {
 ///
 /// Vertices are welded by exact equality whatever the format (-0 equals 0; NaN equals nothing) and numbered
 /// in the order of their first occurrence. Polygons become fans of triangles if they are planar and convex
-/// (io/surface/polygons.hpp has the rule). Degenerate triangles, and vertices that no triangle uses, are kept:
-/// `verify/surface.hpp` judges. Throws InputError with file, line or byte, what was expected and what was
-/// found.
+/// (io/surface/polygons.hpp has the rule). Degenerate triangles, and vertices that no triangle uses, are
+/// kept: `verify/surface.hpp` judges. Throws InputError with file, line or byte, what was expected and what
+/// was found.
 TriangleSurface read_surface(const std::string& path);
 
 /// Whether the ending says that the file can be nothing but a surface: .stl, .off, .obj or .ply.

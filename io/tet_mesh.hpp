@@ -20,22 +20,26 @@ struct TetMesh {
   std::vector<std::array<Index, 4>> tets;  ///< four positions in `points` each
 };
 
-/// The faces of a tetrahedron, as corner positions; face f is opposite to corner f. Seen from outside a positive
-/// tetrahedron each runs anticlockwise.
+/// The faces of a tetrahedron, as corner positions; face f is opposite to corner f. Seen from outside a
+/// positive tetrahedron each runs anticlockwise.
 inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// How a file numbers what the arrays hold, so that messages speak of the file. Empty vectors: numbered from `first`.
+/// How a file numbers what the arrays hold, so that messages speak of the file. Empty vectors: numbered from
+/// `first`.
 struct Numbering {
-  std::vector<std::int64_t> points;   ///< number of each point
-  std::vector<std::int64_t> tets;     ///< number of each tetrahedron
-  std::vector<std::int64_t> unknown;  ///< index -1-k in a tetrahedron stands for the number unknown[k], which no point has
+  std::vector<std::int64_t> points;  ///< number of each point
+  std::vector<std::int64_t> tets;    ///< number of each tetrahedron
+  std::vector<std::int64_t>
+      unknown;  ///< index -1-k in a tetrahedron stands for the number unknown[k], which no point has
   std::int64_t first = 0;
 
   std::int64_t point(Index i) const {
     if (i < 0) return -1 - i < static_cast<Index>(unknown.size()) ? unknown[-1 - i] : i;
     return i < static_cast<Index>(points.size()) ? points[i] : i + first;
   }
-  std::int64_t tet(Index i) const { return i >= 0 && i < static_cast<Index>(tets.size()) ? tets[i] : i + first; }
+  std::int64_t tet(Index i) const {
+    return i >= 0 && i < static_cast<Index>(tets.size()) ? tets[i] : i + first;
+  }
 };
 
 }  // namespace tetproof

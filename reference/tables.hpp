@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables 1, 2 and 3 of the paper, row by row in the page's order and notation, with the readings that mend them (readings.md).
+// Tables 1, 2 and 3 of the paper, row by row in the page's order and notation, with the readings that mend
+// them (readings.md).
 #pragma once
 
 #include <array>

@@ -10,10 +10,10 @@
 #include "io/error.hpp"
 #include "verify/checks/check_surface.hpp"
 #include "verify/checks/judgement.hpp"
+#include "verify/checks/surface_judgement.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
 #include "verify/mesh/quality.hpp"
 #include "verify/mesh/regions.hpp"
-#include "verify/checks/surface_judgement.hpp"
 
 namespace tetproof::verify {
 namespace {

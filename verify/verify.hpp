@@ -24,9 +24,9 @@ struct Options {
       false;  ///< topology, cavities and non-manifold edges and vertices fail; so they do at fidelity 0
   int voxels = 128;  ///< along the longest side, for the independent account of volume; 0: without
   /// For a mesh whose maker could not do better than the allowed distance, as a lattice with cells of that
-  /// size: what is thinner than a cell is lost, and surface-to-mesh and missing-region only warn. To be fast, the
-  /// distances are only decided, not measured more closely than that, and normals are skipped: at a tenth of
-  /// the cost of such a mesh they would tell what its maker knows.
+  /// size: what is thinner than a cell is lost, and surface-to-mesh and missing-region only warn. To be fast,
+  /// the distances are only decided, not measured more closely than that, and normals are skipped: at a tenth
+  /// of the cost of such a mesh they would tell what its maker knows.
   bool coarse = false;
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
   /// The region of each tetrahedron, as element tags say; empty: one region. Regions may share faces. The

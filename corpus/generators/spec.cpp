@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/error.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/error.hpp"
 
 namespace tetproof::corpus {
 namespace {

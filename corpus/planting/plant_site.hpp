@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/plant.hpp"
 #include "corpus/generators/random.hpp"
+#include "corpus/plant.hpp"
 #include "io/tet_mesh.hpp"
 
 namespace tetproof::corpus {

@@ -28,7 +28,8 @@ void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
   items.resize(count);
 }
 
-/// Memory for a while, in large pages if it is much; the thread keeps it for the next time that it wants so much.
+/// Memory for a while, in large pages if it is much; the thread keeps it for the next time that it wants so
+/// much.
 class Scratch {
  public:
   explicit Scratch(std::size_t bytes);

@@ -12,9 +12,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/bytes/input_file.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import_process.hpp"
-#include "io/bytes/input_file.hpp"
 #include "io/mesh_files.hpp"
 #include "io/msh/msh.hpp"
 

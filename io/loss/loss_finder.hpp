@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/loss/holds.hpp"
-#include "io/losses.hpp"
 #include "io/loss/written_part.hpp"
+#include "io/losses.hpp"
 
 namespace tetproof::io {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/model/element_types.hpp"
 #include "io/loss/loss_finder.hpp"
+#include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
 
 namespace tetproof::io {

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
-#include "io/bytes/input_file.hpp"
 
 namespace tetproof::io {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/document.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/document.hpp"
 #include "io/medit/medit_keywords.hpp"
 #include "io/model/tag_sets.hpp"
 

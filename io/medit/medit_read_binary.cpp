@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "io/bytes/byte_order.hpp"
-#include "io/model/element_types.hpp"
 #include "io/medit/medit_content.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof::io {
 namespace {

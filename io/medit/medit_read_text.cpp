@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/model/element_types.hpp"
 #include "io/medit/medit_content.hpp"
 #include "io/medit/medit_places.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof::io {
 namespace {

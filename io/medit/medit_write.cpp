@@ -9,11 +9,11 @@
 #include <string>
 
 #include "io/bytes/byte_order.hpp"
-#include "io/model/element_types.hpp"
+#include "io/bytes/text_output.hpp"
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_places.hpp"
+#include "io/model/element_types.hpp"
 #include "io/model/second_order.hpp"
-#include "io/bytes/text_output.hpp"
 
 namespace tetproof::io {
 namespace {

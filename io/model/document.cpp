@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "io/model/element_types.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof {
 namespace {

@@ -7,8 +7,9 @@
 namespace tetproof::io {
 namespace {
 
-// Type, shape, dimension, nodes, corners; sorted by type. Types whose number of nodes varies (polygons, polyhedra and the
-// borders that cut them) are not here: only the file says how many nodes each of them has. `other`: no corners to speak of.
+// Type, shape, dimension, nodes, corners; sorted by type. Types whose number of nodes varies (polygons,
+// polyhedra and the borders that cut them) are not here: only the file says how many nodes each of them has.
+// `other`: no corners to speak of.
 // clang-format off
 constexpr ElementType types[] = {
     {1, Shape::line, 1, 2, 2}, {2, Shape::triangle, 2, 3, 3}, {3, Shape::quadrangle, 2, 4, 4},

@@ -7,8 +7,8 @@
 #include <bit>
 #include <cstring>
 
-#include "io/error.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/error.hpp"
 
 namespace tetproof::io {
 

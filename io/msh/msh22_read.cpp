@@ -6,11 +6,11 @@
 #include <limits>
 #include <span>
 
-#include "io/model/element_types.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/plain_lines.hpp"
+#include "io/model/element_types.hpp"
 #include "io/msh/msh22_elements.hpp"
 #include "io/msh/msh_sections.hpp"
-#include "io/bytes/plain_lines.hpp"
 
 namespace tetproof::io {
 namespace {

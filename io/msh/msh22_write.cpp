@@ -2,8 +2,8 @@
 // Writes .msh 2.2.
 #include <algorithm>
 
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
+#include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh22_limits.hpp"
 #include "io/msh/msh_entities.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/model/element_types.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/model/element_types.hpp"
 #include "io/msh/msh4_plain.hpp"
 #include "io/msh/msh_sections.hpp"
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "io/bytes/checksum.hpp"
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
+#include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh_data.hpp"
 #include "io/msh/msh_sections.hpp"

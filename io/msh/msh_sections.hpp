@@ -2,12 +2,12 @@
 // The parts of the .msh reader: each reads one section's content and stops in front of its $End.
 #pragma once
 
-#include "io/document.hpp"
 #include "io/bytes/large_pages.hpp"
-#include "io/msh/msh_data.hpp"
+#include "io/document.hpp"
 #include "io/model/node_index.hpp"
-#include "io/msh/numbers.hpp"
 #include "io/model/tag_sets.hpp"
+#include "io/msh/msh_data.hpp"
+#include "io/msh/numbers.hpp"
 
 namespace tetproof::io {
 

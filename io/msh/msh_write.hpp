@@ -9,10 +9,10 @@
 #include <limits>
 #include <string>
 
+#include "io/bytes/text_output.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 #include "io/msh/msh.hpp"
-#include "io/bytes/text_output.hpp"
 
 namespace tetproof::io {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "io/surface/surface_document.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
 

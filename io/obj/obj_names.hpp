@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/document.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/document.hpp"
 #include "io/model/tag_sets.hpp"
 
 namespace tetproof::io {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <string>
 
+#include "io/bytes/tokens.hpp"
 #include "io/model/node_index.hpp"
 #include "io/obj/obj.hpp"
 #include "io/obj/obj_names.hpp"
 #include "io/obj/obj_points.hpp"
 #include "io/obj/obj_state.hpp"
 #include "io/obj/obj_statements.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "io/bytes/tokens.hpp"
 #include "io/obj/obj.hpp"
 #include "io/obj/obj_names.hpp"
 #include "io/surface/surface_lines.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {
 namespace {

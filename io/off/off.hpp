@@ -3,9 +3,9 @@
 #pragma once
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
-#include "io/bytes/input_file.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/document.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/document.hpp"
 
 namespace tetproof::io {
 

@@ -10,10 +10,10 @@
 #include <tuple>
 #include <vector>
 
+#include "io/bytes/tokens.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_names.hpp"
 #include "io/surface/surface_lines.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {
 

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "io/error.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/tokens.hpp"
+#include "io/error.hpp"
 #include "io/model/node_index.hpp"
 #include "io/ply/ply.hpp"
 #include "io/ply/ply_data.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_names.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {
 namespace {

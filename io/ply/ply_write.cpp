@@ -7,11 +7,11 @@
 #include <tuple>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/tokens.hpp"
 #include "io/ply/ply.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_plan.hpp"
 #include "io/surface/surface_lines.hpp"
-#include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/program/describe.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "io/program/describe.hpp"
 #include "io/program/program.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
-#include "io/bytes/input_file.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -15,16 +15,16 @@ namespace tetproof::io {
 /// back to fill it in); otherwise text: any number of solids, keywords in any case, names and `endsolid` may
 /// be missing, normals may be anything. Coordinates of the text form are read as doubles.
 ///
-/// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see io/stl/stl_solids.hpp.
-/// Binary: the header without blanks and zeros around it is the title; attributes, if any is not 0, are
-/// values of elements "attribute". Normals are not kept, but a warning says how many stand against the order
-/// of the corners. Throws InputError.
+/// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see
+/// io/stl/stl_solids.hpp. Binary: the header without blanks and zeros around it is the title; attributes, if
+/// any is not 0, are values of elements "attribute". Normals are not kept, but a warning says how many stand
+/// against the order of the corners. Throws InputError.
 SurfaceDocument read_stl(const InputFile& file, Wanted wanted);
 
 /// STL: triangles of any order by their corners, and planar and convex polygons as fans of triangles
-/// (io/surface/polygons.hpp), but for those that name nodes which do not exist. Binary: coordinates are rounded to
-/// float32, in which one too large becomes infinite; title and "attribute" as they are read. Text, exact: a
-/// solid for each run of elements with the same groups, which tells the first of them.
+/// (io/surface/polygons.hpp), but for those that name nodes which do not exist. Binary: coordinates are
+/// rounded to float32, in which one too large becomes infinite; title and "attribute" as they are read. Text,
+/// exact: a solid for each run of elements with the same groups, which tells the first of them.
 void write_stl(AtomicFile& file, const Document& document, bool binary);
 
 Holds stl_holds(const Document& document, bool binary);

@@ -9,12 +9,12 @@
 #include <set>
 
 #include "io/bytes/byte_order.hpp"
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
-#include "io/stl/stl.hpp"
-#include "io/stl/stl_solids.hpp"
+#include "io/model/element_types.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/model/weld.hpp"
+#include "io/stl/stl.hpp"
+#include "io/stl/stl_solids.hpp"
 
 namespace tetproof::io {
 namespace {

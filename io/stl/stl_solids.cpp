@@ -7,8 +7,8 @@
 #include <set>
 
 #include "io/bytes/input_file.hpp"
-#include "io/obj/obj_names.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/obj/obj_names.hpp"
 
 namespace tetproof::io {
 namespace {

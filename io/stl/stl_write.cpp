@@ -9,11 +9,11 @@
 #include <set>
 
 #include "io/bytes/byte_order.hpp"
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
-#include "io/surface/polygons.hpp"
+#include "io/model/element_types.hpp"
 #include "io/stl/stl.hpp"
 #include "io/stl/stl_solids.hpp"
+#include "io/surface/polygons.hpp"
 #include "io/surface/surface_lines.hpp"
 
 namespace tetproof::io {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/model/document_fields.hpp"
 #include "io/error.hpp"
+#include "io/model/document_fields.hpp"
 
 namespace tetproof::io {
 

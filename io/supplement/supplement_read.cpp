@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "io/model/document_positions.hpp"
 #include "io/bytes/large_pages.hpp"
+#include "io/model/document_positions.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/supplement/supplement_decoder.hpp"
 

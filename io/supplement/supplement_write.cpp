@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "io/bytes/text_output.hpp"
 #include "io/model/document_fields.hpp"
 #include "io/supplement/supplement.hpp"
-#include "io/bytes/text_output.hpp"
 
 namespace tetproof::io {
 namespace {

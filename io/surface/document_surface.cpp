@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
+#include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
 
 namespace tetproof::io {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/model/element_types.hpp"
-#include "io/error.hpp"
 #include "io/bytes/text_output.hpp"
+#include "io/error.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof::io {
 

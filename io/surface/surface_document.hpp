@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
-#include "io/bytes/input_file.hpp"
 
 namespace tetproof::io {
 

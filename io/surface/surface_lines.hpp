@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "io/surface/surface_document.hpp"
 #include "io/bytes/text_output.hpp"
+#include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
 

@@ -31,21 +31,21 @@
 #include <string_view>
 
 #include "io/document.hpp"
-#include "io/model/element_types.hpp"
 #include "io/loss/holds.hpp"
+#include "io/model/element_types.hpp"
 
 namespace tetproof::io {
 
 /// Reads the file and all others of its set that are there. The numbers of the nodes must count up from 0 or
 /// 1; a number that no node has is kept as such.
 Document read_tetgen(const std::string& path);
-/// The surface that a .poly or .smesh describes, by `SurfaceFaces` in io/surface/polygons.hpp; a facet of several
-/// polygons or with holes is refused.
+/// The surface that a .poly or .smesh describes, by `SurfaceFaces` in io/surface/polygons.hpp; a facet of
+/// several polygons or with holes is refused.
 TriangleSurface read_tetgen_surface(const std::string& path);
 
 /// Writes the mesh: .node and .ele, and of the others those that the document has something for. All of them
-/// appear, or none. `supplement`: what the rest of the document comes to, io/supplement/supplement.hpp; it stands in
-/// comments at the end of the .node. InputError if the file named would have nothing to say.
+/// appear, or none. `supplement`: what the rest of the document comes to, io/supplement/supplement.hpp; it
+/// stands in comments at the end of the .node. InputError if the file named would have nothing to say.
 void write_tetgen(const std::string& path, const Document& document, const std::string& supplement = {});
 /// Writes the elements with `of_boundary`, or else all of two dimensions, with all points, holes and regions;
 /// and .edge .mtr .var where there is something for them. The supplement stands at its end.

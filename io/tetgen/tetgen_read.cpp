@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "io/error.hpp"
 #include "io/bytes/large_pages.hpp"
-#include "io/surface/polygons.hpp"
+#include "io/error.hpp"
 #include "io/supplement/supplement.hpp"
+#include "io/surface/polygons.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_order.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"

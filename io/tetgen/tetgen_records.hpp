@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
-#include "io/model/node_index.hpp"
 #include "io/bytes/plain_lines.hpp"
+#include "io/model/node_index.hpp"
 
 namespace tetproof::io {
 

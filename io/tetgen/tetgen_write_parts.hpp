@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/text_output.hpp"
 #include "io/document.hpp"
 #include "io/tetgen/tetgen_plan.hpp"
 #include "io/tetgen/tetgen_set.hpp"
-#include "io/bytes/text_output.hpp"
 
 namespace tetproof::io {
 

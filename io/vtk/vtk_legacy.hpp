@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/document.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/document.hpp"
 
 namespace tetproof::io {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <unordered_map>
 
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
+#include "io/model/element_types.hpp"
 #include "io/model/second_order.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/vtk/vtk_cells.hpp"

@@ -8,8 +8,8 @@
 
 namespace tetproof::io {
 
-/// The name that .vtu files have for a type (see io/vtk/vtk_types.hpp), "bit" for bits; empty: no type. `word` in
-/// any case.
+/// The name that .vtu files have for a type (see io/vtk/vtk_types.hpp), "bit" for bits; empty: no type.
+/// `word` in any case.
 std::string type_of_vtk_word(std::string_view word);
 /// The other way.
 std::string_view vtk_word_of_type(std::string_view type);

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "io/bytes/text_output.hpp"
+#include "io/bytes/xml_text.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_data.hpp"
-#include "io/bytes/xml_text.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/error.hpp"
 
 namespace tetproof::reference {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "io/trace.hpp"
-#include "reference/follow/follow_points.hpp"
 #include "reference/engine/adaptation/insertion.hpp"
+#include "reference/follow/follow_points.hpp"
 
 namespace tetproof::reference {
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <string>
 
-#include "reference/engine/first_grid/contacts.hpp"
 #include "reference/engine/adaptation/triangulation.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
+#include "reference/engine/first_grid/contacts.hpp"
 
 namespace tetproof::reference {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "corpus/block_mesh.hpp"
-#include "corpus/plant.hpp"
 #include "corpus/generators/random.hpp"
+#include "corpus/plant.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "score.hpp"

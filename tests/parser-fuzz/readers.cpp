@@ -6,12 +6,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "tests/support/document_in_order.hpp"
 #include "io/error.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/surface_files.hpp"
 #include "io/trace.hpp"
+#include "tests/support/document_in_order.hpp"
 
 namespace tetproof::test {
 namespace {

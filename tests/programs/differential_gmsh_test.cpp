@@ -6,9 +6,9 @@
 #include <map>
 #include <sstream>
 
-#include "tests/support/document_listing.hpp"
-#include "io/model/element_types.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/element_types.hpp"
+#include "tests/support/document_listing.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace tetproof::test {

@@ -58,7 +58,8 @@ TEST_P(CleanSurfaces, GiveACertifiedGrid) {
     if (check["id"] == "volume-surface" || check["id"] == "volume-voxel") {
       EXPECT_EQ(check["verdict"], "pass") << check.dump(1);
     } else if (check["id"] == "surface-to-mesh" || check["id"] == "missing-region") {
-      EXPECT_THAT(check["verdict"], testing::AnyOf("pass", "warning")) << "what is thinner than a cell is lost";
+      EXPECT_THAT(check["verdict"], testing::AnyOf("pass", "warning"))
+          << "what is thinner than a cell is lost";
     } else if (check["id"] == "off-surface-vertex" || check["id"] == "mesh-to-surface" ||
                check["id"] == "excess-region") {
       EXPECT_EQ(check["verdict"], "pass") << check.dump(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/reports/report.schema.json, by a validator that is not ours: it takes what tetproof-verify --json writes of
-// all kinds of meshes, and nothing that deviates from it.
+// verify/reports/report.schema.json, by a validator that is not ours: it takes what tetproof-verify --json
+// writes of all kinds of meshes, and nothing that deviates from it.
 #include <gmock/gmock.h>
 
 #include <set>

@@ -9,8 +9,8 @@
 #include <initializer_list>
 #include <string>
 
-#include "tests/support/document_in_order.hpp"
 #include "random_document.hpp"
+#include "tests/support/document_in_order.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/document_in_order.hpp"
-#include "tests/support/test_files.hpp"
 #include "documents_compare.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "random_document.hpp"
+#include "tests/support/document_in_order.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof::test {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "tests/support/exact_mesh.hpp"
 #include "io/triangle_surface.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace exact_surface {
 

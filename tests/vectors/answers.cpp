@@ -8,11 +8,11 @@
 #include <stdexcept>
 
 #include "reference/engine/adaptation/curvature.hpp"
-#include "reference/engine/first_grid/extract.hpp"
-#include "reference/engine/first_grid/row_choice.hpp"
 #include "reference/engine/adaptation/table4.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
 #include "reference/engine/adaptation/weights.hpp"
+#include "reference/engine/first_grid/extract.hpp"
+#include "reference/engine/first_grid/row_choice.hpp"
 
 namespace tetproof::test {
 namespace {

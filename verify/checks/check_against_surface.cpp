@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "verify/checks/surface_comparison.hpp"
-#include "verify/voxel_volume.hpp"
 #include "verify/triangles/winding.hpp"
+#include "verify/voxel_volume.hpp"
 
 namespace tetproof::verify {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "verify/checks/judgement.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
-#include "verify/triangles/winding.hpp"
 #include "verify/mesh/witness.hpp"
+#include "verify/triangles/winding.hpp"
 
 namespace tetproof::verify {
 namespace {

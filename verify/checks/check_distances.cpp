@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "verify/triangles/chunks.hpp"
 #include "verify/checks/surface_comparison.hpp"
 #include "verify/distance/directed_distance.hpp"
+#include "verify/triangles/chunks.hpp"
 #include "verify/triangles/on_triangle.hpp"
 
 namespace tetproof::verify {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "verify/checks/surface_comparison.hpp"
-#include "verify/voxels/deep_voxels.hpp"
 #include "verify/mesh/tets_at.hpp"
 #include "verify/voxel_volume.hpp"
+#include "verify/voxels/deep_voxels.hpp"
 
 namespace tetproof::verify {
 namespace {

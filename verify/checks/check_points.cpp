@@ -7,8 +7,8 @@
 #include <bit>
 #include <utility>
 
-#include "verify/triangles/chunks.hpp"
 #include "verify/checks/judgement.hpp"
+#include "verify/triangles/chunks.hpp"
 
 namespace tetproof::verify {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "verify/checks/judgement.hpp"
-#include "verify/mesh/mesh_volumes.hpp"
 #include "verify/checks/surface_judgement.hpp"
+#include "verify/mesh/mesh_volumes.hpp"
 
 namespace tetproof::verify {
 

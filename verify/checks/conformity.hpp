@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "verify/checks/suspects.hpp"
 #include "verify/mesh/boundary.hpp"
 #include "verify/triangles/intersections.hpp"
-#include "verify/checks/suspects.hpp"
 
 namespace tetproof::verify {
 

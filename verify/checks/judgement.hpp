@@ -7,11 +7,11 @@
 #include <initializer_list>
 #include <vector>
 
-#include "verify/mesh/boundary.hpp"
 #include "verify/checks/conformity.hpp"
+#include "verify/checks/suspects.hpp"
+#include "verify/mesh/boundary.hpp"
 #include "verify/mesh/cracks.hpp"
 #include "verify/triangles/intersections.hpp"
-#include "verify/checks/suspects.hpp"
 #include "verify/verify.hpp"
 
 namespace tetproof::verify {

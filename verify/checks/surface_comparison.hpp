@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "verify/hausdorff.hpp"
 #include "verify/checks/judgement.hpp"
 #include "verify/checks/surface_judgement.hpp"
 #include "verify/distance/triangle_tree.hpp"
+#include "verify/hausdorff.hpp"
 
 namespace tetproof::verify {
 

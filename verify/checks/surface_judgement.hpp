@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "verify/surface.hpp"
 #include "verify/mesh/volumes.hpp"
+#include "verify/surface.hpp"
 
 namespace tetproof::verify {
 

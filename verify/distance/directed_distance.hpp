@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "verify/hausdorff.hpp"
 #include "verify/distance/triangle_tree.hpp"
+#include "verify/hausdorff.hpp"
 
 namespace tetproof::verify {
 

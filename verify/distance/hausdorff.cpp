@@ -10,8 +10,8 @@
 
 #include "io/error.hpp"
 #include "verify/distance/directed_distance.hpp"
-#include "verify/triangles/on_triangle.hpp"
 #include "verify/distance/piece_search.hpp"
+#include "verify/triangles/on_triangle.hpp"
 
 namespace tetproof::verify {
 namespace {

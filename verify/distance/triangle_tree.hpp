@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "verify/triangles/edges.hpp"
 #include "verify/distance/triangle_frame.hpp"
+#include "verify/triangles/edges.hpp"
 
 namespace tetproof::verify {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "io/tet_mesh.hpp"
-#include "verify/triangles/edges.hpp"
 #include "verify/mesh/faces.hpp"
+#include "verify/triangles/edges.hpp"
 
 namespace tetproof::verify {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "verify/mesh/boundary.hpp"
-#include "verify/report.hpp"
 #include "verify/mesh/volumes.hpp"
+#include "verify/report.hpp"
 
 namespace tetproof::verify {
 

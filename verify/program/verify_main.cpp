@@ -13,9 +13,9 @@
 
 #include "corpus/surfaces.hpp"
 #include "io/bytes/atomic_file.hpp"
-#include "io/model/element_types.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/element_types.hpp"
 #include "io/program/program.hpp"
 #include "verify/defects.hpp"
 #include "verify/verify.hpp"
@@ -110,8 +110,7 @@ int work(const Arguments& given, const program::Common& common) {
     verify::write_defects(arguments.defects, loaded.mesh, loaded.numbering, report);
   if (!common.json.empty()) program::write_text(common.json, verify::report_json(report, loaded.numbering));
   if (!arguments.junit.empty())
-    program::write_text(arguments.junit,
-                        verify::report_junit(report, arguments.mesh, loaded.numbering));
+    program::write_text(arguments.junit, verify::report_junit(report, arguments.mesh, loaded.numbering));
   if (common.json != "-" && arguments.junit != "-")
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
   return verify::sound(report) ? program::sound : program::wrong;

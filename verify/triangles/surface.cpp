@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <concepts>
 
-#include "verify/triangles/edges.hpp"
-#include "verify/triangles/intersections.hpp"
 #include "verify/checks/surface_judgement.hpp"
 #include "verify/mesh/volumes.hpp"
+#include "verify/triangles/edges.hpp"
+#include "verify/triangles/intersections.hpp"
 #include "verify/triangles/winding.hpp"
 
 namespace tetproof::verify {

@@ -12,9 +12,9 @@
 #include <stdexcept>
 
 #include "reference/engine/adaptation/boundary_faces.hpp"
+#include "reference/engine/adaptation/triangulation.hpp"
 #include "reference/engine/first_grid/contacts.hpp"
 #include "reference/engine/first_grid/exact.hpp"
-#include "reference/engine/adaptation/triangulation.hpp"
 
 namespace tetproof::reference {
 namespace {

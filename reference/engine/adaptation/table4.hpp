@@ -2,8 +2,8 @@
 // Table 4: where the new point of a split goes (reading D19).
 #pragma once
 
-#include "reference/tables.hpp"
 #include "reference/engine/adaptation/triangulation.hpp"
+#include "reference/tables.hpp"
 
 namespace tetproof::reference {
 

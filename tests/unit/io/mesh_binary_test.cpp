@@ -6,8 +6,8 @@
 #include <cstring>
 #include <string>
 
-#include "tests/support/document_text.hpp"
 #include "io/mesh_files.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/document_text.hpp"
 #include "io/mesh_files.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

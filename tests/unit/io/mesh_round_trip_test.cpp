@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/msh/numbers.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

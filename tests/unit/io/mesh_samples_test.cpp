@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/document_text.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "tests/support/exact_mesh.hpp"
 #include "reference/engine/first_grid/row_choice.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace tetproof::reference {
 namespace {

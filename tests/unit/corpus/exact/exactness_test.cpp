@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "corpus/generators/random.hpp"
+#include "corpus/generators/turns.hpp"
 #include "corpus/random_surface.hpp"
 #include "corpus/surfaces.hpp"
-#include "corpus/generators/turns.hpp"
 #include "tests/support/surface_facts.hpp"
 #include "verify/surface.hpp"
 

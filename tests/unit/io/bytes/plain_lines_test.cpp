@@ -9,8 +9,8 @@
 #include <random>
 #include <sstream>
 
-#include "tests/support/document_text.hpp"
 #include "io/mesh_files.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof::test {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/msh/msh.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <random>
 
-#include "tests/support/document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/supplement/supplement.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof {

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "io/model/element_types.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/element_types.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "tests/support/tetgen_text.hpp"
 

@@ -10,10 +10,10 @@
 #include <set>
 #include <string>
 
-#include "tests/support/binary_bytes.hpp"
-#include "tests/support/document_text.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "tests/support/binary_bytes.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/refused_file.hpp"
 #include "tests/support/test_files.hpp"
 

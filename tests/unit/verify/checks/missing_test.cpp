@@ -7,9 +7,9 @@
 
 #include "corpus/surfaces.hpp"
 #include "tests/support/meshes.hpp"
-#include "verify/voxels/deep_voxels.hpp"
 #include "verify/mesh/tets_at.hpp"
 #include "verify/verify.hpp"
+#include "verify/voxels/deep_voxels.hpp"
 
 namespace tetproof::test {
 namespace {

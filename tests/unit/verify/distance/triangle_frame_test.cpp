@@ -8,8 +8,8 @@
 #include <random>
 
 #include "corpus/surfaces.hpp"
-#include "verify/triangles/on_triangle.hpp"
 #include "verify/distance/triangle_tree.hpp"
+#include "verify/triangles/on_triangle.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "tests/support/meshes.hpp"
-#include "verify/verify.hpp"
 #include "verify/mesh/witness.hpp"
+#include "verify/verify.hpp"
 
 namespace tetproof::test {
 namespace {

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/exact_mesh.hpp"
 #include "reference/engine/first_grid/exact.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace tetproof::reference {
 namespace {

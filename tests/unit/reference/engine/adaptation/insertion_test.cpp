@@ -10,8 +10,8 @@
 #include "corpus/random_surface.hpp"
 #include "corpus/surfaces.hpp"
 #include "io/error.hpp"
-#include "reference/generate.hpp"
 #include "reference/engine/adaptation/invariants.hpp"
+#include "reference/generate.hpp"
 
 namespace tetproof::reference {
 namespace {

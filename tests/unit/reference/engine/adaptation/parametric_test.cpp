@@ -8,8 +8,8 @@
 #include <map>
 
 #include "corpus/surfaces.hpp"
-#include "tests/support/exact_mesh.hpp"
 #include "reference/generate.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace tetproof::reference {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "tests/support/exact_mesh.hpp"
 #include "reference/engine/first_grid/exact.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace tetproof::reference {
 namespace {

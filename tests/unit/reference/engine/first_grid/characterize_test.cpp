@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "corpus/surfaces.hpp"
-#include "tests/support/exact_surface.hpp"
 #include "reference/engine/first_grid/contacts.hpp"
 #include "reference/engine/first_grid/indicators.hpp"
 #include "reference/engine/first_grid/inside.hpp"
+#include "tests/support/exact_surface.hpp"
 
 namespace tetproof::reference {
 namespace {

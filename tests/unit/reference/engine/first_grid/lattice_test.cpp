@@ -6,8 +6,8 @@
 
 #include <set>
 
-#include "tests/support/exact_mesh.hpp"
 #include "io/error.hpp"
+#include "tests/support/exact_mesh.hpp"
 
 namespace tetproof::reference {
 namespace {
