@@ -174,6 +174,13 @@ struct Section {
   bool before_nodes = false;
 };
 
+/// Something that is lost between a file and a document: an item that one has and the other does not.
+struct Loss {
+  std::string item;        ///< what is lost
+  std::int64_t count = 0;  ///< how many of it
+  std::string example;     ///< the first one
+};
+
 /// A mesh with everything its file said of it. Nothing is promised but that positions stay inside their
 /// arrays.
 struct Document {
@@ -216,6 +223,7 @@ struct Document {
   std::vector<Section> sections;
 
   std::vector<std::string> warnings;  ///< legal but suspicious, each with its place
+  std::vector<Loss> dropped;  ///< what the file has and the reader did not take, see io/loss/loss_list.hpp
 
   std::size_t elements() const { return blocks.empty() ? 0 : blocks.back().first + blocks.back().count; }
   std::int64_t node_tag(std::size_t i) const {

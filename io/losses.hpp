@@ -2,7 +2,6 @@
 // What a format cannot hold of a document, asked before it is written.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,12 +9,6 @@
 #include "io/mesh_files.hpp"
 
 namespace tetproof {
-
-struct Loss {
-  std::string item;     ///< what is lost
-  std::int64_t count;   ///< how many of it
-  std::string example;  ///< the first one
-};
 
 /// Everything that `write_document(path, document, options)` leaves out or changes for whoever reads the file
 /// with `read_document`; empty: nothing. What any reader can work out again is no loss: the boxes of entities

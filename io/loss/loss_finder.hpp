@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/loss/holds.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/loss/written_part.hpp"
 #include "io/losses.hpp"
 
@@ -24,15 +25,8 @@ class LossFinder {
   using Cut = WrittenPart::Cut;
   using Written = WrittenPart::Block;
 
-  // An item stands in the list once, with its first example.
   void add(const std::string& item, std::size_t count, const std::string& example) {
-    if (count == 0) return;
-    for (Loss& loss : losses_)
-      if (loss.item == item) {
-        loss.count += static_cast<std::int64_t>(count);
-        return;
-      }
-    losses_.push_back({item, static_cast<std::int64_t>(count), example});
+    add_loss(losses_, item, count, example);
   }
 
   std::string element(const ElementBlock& block, std::size_t e = 0) const {
