@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two grids: equal up to numbering, or what only one of them has.
+// Compares two grids: equal up to numbering, or with points and tetrahedra that only one of them has.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace tetproof::verify {
 
-/// A grid as a file holds it.
+/// A grid and the file that it was read from.
 struct NamedGrid {
   std::string file;
   TetMesh mesh;
   Numbering numbering;
 };
 
-/// What only one of two grids has; numbers are those of its file.
+/// One of two grids that are compared, and what only it has. Numbers are those of its file.
 struct GridSide {
   std::string file;
   std::int64_t points = 0, tets = 0;            ///< in all
@@ -31,8 +31,8 @@ struct GridSide {
     std::int64_t number;
     std::array<Point, 4> corners;  ///< `at` is NaN for a point that does not exist
   };
-  std::vector<Point>
-      first_points;  ///< of those only here, at most `GridComparison::shown`, by their order in the file
+  /// Points and tetrahedra that are only here, in the order of the file; at most `GridComparison::shown`.
+  std::vector<Point> first_points;
   std::vector<Tet> first_tets;
 };
 
@@ -40,7 +40,7 @@ struct GridComparison {
   static constexpr std::size_t shown = 10;
   double tolerance = 0;            ///< [length]
   double largest_distance = 0;     ///< between matched points
-  std::int64_t shared_places = 0;  ///< places with several points in each, which are not told apart
+  std::int64_t shared_places = 0;  ///< places where each grid has several points, which are not distinguished
   GridSide reference, other;
 
   bool equal() const {
@@ -48,15 +48,15 @@ struct GridComparison {
   }
 };
 
-/// Matches each point of `other` with the closest one of `reference` within `tolerance` (in diagonals of the
-/// box of the reference's tetrahedra), and tetrahedra by their four points in whatever order. What stands n
-/// times in one must stand n times in the other. Linear time but for a sort; throws InputError when points
-/// crowd within the tolerance.
+/// Matches each point of `other` with the closest point of `reference` within `tolerance` (in diagonals of
+/// the box of the reference's tetrahedra), and tetrahedra by their four points in any order. A point or
+/// tetrahedron that one grid has n times, the other must have n times. Takes linear time and the time of a
+/// sort. InputError when too many points lie within the tolerance of each other.
 GridComparison compare_grids(const NamedGrid& other, const NamedGrid& reference, double tolerance = 1e-9);
 
-/// For people.
+/// The comparison in words.
 std::string comparison_text(const GridComparison&);
-/// As JSON; corpus/vectors/TRACE.md describes the keys.
+/// The comparison as JSON; corpus/vectors/TRACE.md describes the keys.
 std::string comparison_json(const GridComparison&);
 
 }  // namespace tetproof::verify

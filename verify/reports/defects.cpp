@@ -52,7 +52,7 @@ class Defects {
 
   bool in_range(Index v) const { return v >= 0 && v < static_cast<Index>(mesh_.points.size()); }
 
-  // Of the mesh, once.
+  // The position in `part_` of a point of the mesh, which is added when first asked for.
   Index point(Index v) {
     if (place_[v] < 0) {
       place_[v] = static_cast<Index>(part_.points.size());
@@ -61,7 +61,7 @@ class Defects {
     return place_[v];
   }
 
-  // All that share a vertex with what a finding names.
+  // Adds all tetrahedra that share a vertex with an element that a finding names.
   void add_tetrahedra(const Report& report) {
     std::vector<std::uint8_t> broken_at(mesh_.points.size(), 0);
     const auto touch = [&](Index v) {
@@ -90,7 +90,7 @@ class Defects {
       const auto at = std::lower_bound(original_.begin(), original_.end(), t);
       if (at != original_.end() && *at == t)
         marked_[check].push_back(static_cast<std::size_t>(at - original_.begin()));
-      else  // what there is of it
+      else  // the points that it has
         for (const Index v : mesh_.tets[t]) add_vertex(check, v);
     }
     for (const Index v : finding.vertices) add_vertex(check, v);
@@ -115,11 +115,11 @@ class Defects {
   const TetMesh& mesh_;
   const Numbering& numbering_;
   TetMesh part_;
-  std::vector<Index> place_;     // of the mesh's points in `part_`; -1: not there
-  std::vector<Index> original_;  // of its tetrahedra
+  std::vector<Index> place_;     // position of each point of the mesh in `part_`; -1: not there
+  std::vector<Index> original_;  // position of each tetrahedron of `part_` in the mesh
   std::size_t tets_ = 0;
   std::vector<Index> witnesses_;                  // points of `part_` that are elements of their own
-  std::vector<std::int64_t> numbers_;             // of all elements
+  std::vector<std::int64_t> numbers_;             // of all elements, in the file
   std::vector<std::vector<std::size_t>> marked_;  // elements, by check
 };
 

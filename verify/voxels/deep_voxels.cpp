@@ -16,13 +16,13 @@ const double half_diagonal = std::sqrt(3.0) / 2;  // of a voxel, in voxels
 
 using Voxel = std::array<int, 3>;
 
-// A centre whose depth is known.
+// A voxel whose centre's depth is known.
 struct Probe {
   Voxel voxel;
-  double depth;  // [units], at least
+  double depth;  // [units], a lower bound
 };
 
-// A row's voxels of one region.
+// Consecutive voxels of one row that belong to one region.
 struct Run {
   int i, j, begin, end;
 };
@@ -58,8 +58,9 @@ class Sounding {
   const TriangleTree& tree_;
 
  public:
-  VoxelBits deep, sure,
-      near;  // of the set: deeper; so with the whole voxel; not, but within half a voxel of it
+  // Voxels of the set: those whose centres are deeper; those that are deeper as a whole; those whose centres
+  // are not deeper, but by less than half a diagonal.
+  VoxelBits deep, sure, near;
   std::vector<Probe> probes;
 
  private:
@@ -71,7 +72,7 @@ class Sounding {
           if (set_(i, j, k)) visit(Voxel{i, j, k});
   }
 
-  // A cube of voxels by the depth at its middle, and by its parts only where that does not tell.
+  // Judges a cube of voxels by the depth at its middle, and by its parts where that does not decide.
   void look(const Voxel& corner, int size, Index& guess, std::vector<Probe>& found) {
     bool any = false;
     const int last = std::min(corner[2] + size, lattice_.size[2]);
@@ -109,7 +110,7 @@ class Sounding {
       found.push_back({corner, depth});
       return;
     }
-    Probe probe{corner, -1};  // the one nearest to the middle
+    Probe probe{corner, -1};  // the voxel nearest to the middle
     for_each(corner, size, [&](const Voxel& v) {
       deep.set(v[0], v[1], v[2]);
       sure.set(v[0], v[1], v[2]);
@@ -142,7 +143,7 @@ std::vector<Run> runs_of(const VoxelBits& bits, const VoxelLattice& lattice) {
   return runs;
 }
 
-// The runs of row (i, j) that reach into [begin, end), as a range of positions.
+// The runs of row (i, j) that overlap [begin, end), as a range of positions.
 std::pair<std::size_t, std::size_t> runs_at(const std::vector<Run>& runs, int i, int j, int begin, int end) {
   const auto row = [&](const Run& r) { return std::pair(r.i, r.j); };
   const auto first = std::partition_point(runs.begin(), runs.end(), [&](const Run& r) {
@@ -186,7 +187,7 @@ DeepVoxels deep_voxels(const VoxelLattice& lattice, const VoxelBits& set, const 
   if (runs.empty()) return result;
   std::vector<std::size_t> component = components(runs);
 
-  // Numbers from the largest on.
+  // Numbers the regions, the largest first.
   std::vector<std::int64_t> voxels(runs.size(), 0);
   std::vector<std::size_t> order;
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -212,7 +213,7 @@ DeepVoxels deep_voxels(const VoxelLattice& lattice, const VoxelBits& set, const 
     if (probe.depth > best.depth) best = probe;
   }
   for (std::size_t n = 0; n < result.regions.size(); ++n) {
-    // From there on to deeper neighbours, as long as there are any.
+    // Moves on to deeper neighbours, as long as there are any.
     TriangleTree::Nearest here = tree.nearest(tree.units().to(centre(deepest[n].voxel)));
     for (bool deeper = true; deeper;) {
       deeper = false;
@@ -234,7 +235,7 @@ DeepVoxels deep_voxels(const VoxelLattice& lattice, const VoxelBits& set, const 
     result.regions[n].depth = std::max(0.0, std::sqrt(here.squared) - distance_slack) * tree.units().scale;
   }
 
-  // Next to a region are the rows around its runs; a voxel next to two regions counts for both.
+  // The voxels next to a region are in the rows around its runs. A voxel next to two regions counts for both.
   const VoxelBits cut = met();
   std::vector<std::vector<std::size_t>> runs_of_region(result.regions.size());
   for (std::size_t r = 0; r < runs.size(); ++r)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of a set of voxels those deeper than a distance below a surface, and the regions that they form. Internal.
+// Finds the voxels of a set that are farther from a surface than a distance, and the regions that they form.
+// Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,24 +14,24 @@
 
 namespace tetproof::verify {
 
-/// Voxels that touch each other, be it in a corner.
+/// Voxels that are connected by faces, edges or corners.
 struct VoxelRegion {
   std::int64_t voxels = 0;
-  /// Those of them, and those next to them, that may lie in the region in part: what `met` says, or a depth
-  /// within half a voxel's diagonal of the limit.
+  /// Voxels of the region or next to it that may lie in it in part: voxels of `met`, and voxels whose depth
+  /// is within half a voxel's diagonal of the limit.
   std::int64_t unsure = 0;
-  Eigen::Vector3d deepest = Eigen::Vector3d::Zero();  ///< a centre [length], the deepest of those looked at
-  double depth = 0;                                   ///< there, at least [length]
+  Eigen::Vector3d deepest = Eigen::Vector3d::Zero();  ///< the deepest of the centres looked at [length]
+  double depth = 0;                                   ///< its depth, or less [length]
   Index nearest = -1;                                 ///< the triangle nearest to it; -1: there are none
 };
 
-/// Regions of the voxels of `set` whose centres are farther than `depth` [length] from the triangles, the
-/// largest first; and of each of `points` [length] the region that its voxel belongs to or touches, or -1.
+/// The regions of the voxels of `set` whose centres are farther than `depth` [length] from the triangles, the
+/// largest first. For each of `points` [length] the region that its voxel belongs to or touches, or -1.
 struct DeepVoxels {
   std::vector<VoxelRegion> regions;
   std::vector<std::int32_t> region_at;
 };
-/// `met`: voxels that the boundary of what is looked for may cut; asked for only if any voxel is that deep.
+/// `met` gives the voxels that the boundaries of the set may cut. It is called only if a voxel is that deep.
 DeepVoxels deep_voxels(const VoxelLattice& lattice, const VoxelBits& set, const TriangleTree& tree,
                        double depth, const std::function<VoxelBits()>& met,
                        std::span<const Eigen::Vector3d> points);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which voxels the surface meets: a descent through cubes of 2^l voxels, each refused only by a certain
-// separation.
+// Finds the voxels that the surface meets: a descent through cubes of 2^l voxels. A cube is left out only if
+// it is certainly separate from the triangle.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <Eigen/Geometry>
@@ -17,21 +17,21 @@ bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// Why the outcome is a superset. Coordinates are in voxels, relative to a corner `base_` of the triangle's
-// first voxel, whose plane is an exact double, so each is off by at most 2^-52 of itself: below 3e-13, as no
-// side of the lattice has more than 1100 voxels. A convex cube and a convex triangle are disjoint if their
-// projections on SOME direction are. The directions below (the classical ones: normal, and edges x axes) are
-// taken as they come out in floating point: whichever they are, the dot products of three terms with
-// |direction|_1 = A are off by less than 1.3e-12 A together with the above, and a gap must exceed 4e-12 A to
-// count. So no voxel is left out that the surface meets; that the directions are close to the classical ones
-// only keeps the set small.
+// Why the result contains all voxels that the surface meets. Coordinates are in voxels, relative to a corner
+// `base_` of the triangle's first voxel, whose planes are exact doubles. So each is off by at most 2^-52 of
+// itself: below 3e-13, as no side of the lattice has more than 1100 voxels. A convex cube and a convex
+// triangle are disjoint if their projections on some direction are disjoint. The directions below are the
+// classical ones, the normal and edges x axes, as floating point computes them. Whatever they are, the dot
+// products of three terms with |direction|_1 = A are off by less than 1.3e-12 A, the error above included,
+// and only a gap of more than 4e-12 A counts. So no voxel that the surface meets is left out. That the
+// directions are close to the classical ones only keeps the set small.
 class TriangleVoxels {
  public:
   TriangleVoxels(const TriangleSurface& surface, std::size_t t, const VoxelLattice& lattice)
       : lattice_(lattice) {
     std::array<Eigen::Vector3d, 3> v;
     for (int c = 0; c < 3; ++c) v[c] = surface.vertices[surface.triangles[t][c]];
-    std::sort(v.begin(), v.end(), before);  // so that the order of the corners does not matter
+    std::sort(v.begin(), v.end(), before);  // the order of the corners must not matter
     for (int axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax({v[0][axis], v[1][axis], v[2][axis]});
       const double first = std::floor(lattice.position(axis, low));

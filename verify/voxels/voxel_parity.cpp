@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which voxel centres are inside: the parity of exact crossings along the voxel rows.
+// Finds the voxel centres that are inside, by the parity of exact crossings along the rows of voxels.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -22,9 +22,9 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// On which side of the directed line a b the point q lies once it is moved by (e, e^2), e an infinitesimal:
-// never on it. 0 only if a = b. Exact and antisymmetric in a and b, so that a line meets exactly one of two
-// triangles on either side of an edge.
+// The side of the directed line a b on which the point q lies once it is moved by (e, e^2), where e is an
+// infinitesimal: then it is never on the line. 0 only if a = b. Exact, and antisymmetric in a and b, so that
+// a row meets exactly one of the two triangles at an edge.
 int side(const Point2& a, const Point2& b, const Point2& q) {
   if (const int s = static_cast<int>(CGAL::orientation(a, b, q))) return s;
   if (const int s = sign(a.y() - b.y())) return s;
@@ -69,7 +69,7 @@ class TriangleRows {
     return i;
   }
 
-  // Where the line at x meets the projected triangle, to rounding (far less than h).
+  // The range of y where the line at x meets the projected triangle, to rounding (far less than h).
   std::pair<double, double> span(double x) const {
     double y0 = INFINITY, y1 = -INFINITY;
     for (int c = 0; c < 3; ++c) {
@@ -82,8 +82,8 @@ class TriangleRows {
     return {y0, y1};
   }
 
-  // The first k whose centre is not below the triangle, on the row at q, which crosses it; s: the triangle's
-  // sense seen from above.
+  // The first k whose centre is not below the triangle, in the row at q, which crosses it. `s`: the sense of
+  // the triangle seen from above.
   int first_above(const Point2& q, int s) const {
     const auto above = [&](int k) {
       return s * static_cast<int>(
@@ -97,7 +97,7 @@ class TriangleRows {
     const double bx = v_[2][0] - v_[0][0], by = v_[2][1] - v_[0][1], bz = v_[2][2] - v_[0][2];
     const double px = q.x() - v_[0][0], py = q.y() - v_[0][1];
     const double z = v_[0][2] + (px * (az * by - ay * bz) + py * (ax * bz - az * bx)) / (ax * by - ay * bx);
-    if (z > z0 && z < z1) {  // not if it is not a number
+    if (z > z0 && z < z1) {  // false for NaN
       const int guess = std::clamp(first_centre(2, z), low, high);
       if (guess == high || above(guess)) {
         high = guess;
@@ -123,7 +123,7 @@ class TriangleRows {
   std::array<Point2, 3> flat_;
 };
 
-// From toggles to flags: bit k becomes the parity of the bits 0 .. k. Returns the parity of the whole row.
+// Turns toggles into flags: bit k becomes the parity of the bits 0 .. k. Returns the parity of the whole row.
 bool accumulate(std::uint64_t* row, std::size_t words) {
   std::uint64_t carry = 0;
   for (std::size_t w = 0; w < words; ++w) {
@@ -144,7 +144,7 @@ VoxelBits inside_voxels(const TriangleSurface& surface, const VoxelLattice& latt
                       for (std::size_t t = range.begin(); t < range.end(); ++t)
                         TriangleRows(surface, t, lattice).toggle(bits);
                     });
-  std::atomic<int> odd_column = lattice.size[0];  // the first of them, whatever the order of the threads
+  std::atomic<int> odd_column = lattice.size[0];  // the first one, whatever the order of the threads
   tbb::parallel_for(0, lattice.size[0], [&](int i) {
     for (int j = 0; j < lattice.size[1]; ++j)
       if (accumulate(bits.row(i, j), bits.words_per_row()))
