@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the checks found, in words: for the report, for test suites, for CI systems.
+// Findings in words: for the report, for test suites, for CI systems.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,21 @@
 
 namespace tetproof::verify {
 
-/// A finding in one line, and what follows from it in lines of their own: "tetrahedra 3, 17 at (0, 0, 1):
-/// ...". Numbers as in the file, of many elements the first five.
+/// A finding in one line: "tetrahedra 3, 17 at (0, 0, 1): ...", and a further line for each check with
+/// consequences of it. Numbers are those of the file. Of many elements the first five are named.
 std::string finding_text(const Finding& finding, const Numbering& numbering = {});
 
-/// The findings of one check, the first `most` of them, each indented by two blanks, and how many more there
-/// are.
+/// The first `most` findings of a check, each indented by two blanks, and the number of further ones.
 std::string findings_text(const CheckResult& result, const Numbering& numbering = {}, std::size_t most = 5);
 
-/// What a check says of a mesh that does not pass it: "FAIL inverted: 2" and its findings.
+/// A check that does not hold: "FAIL inverted: 2" or "warning cavity: 1", and its findings.
 std::string check_text(const CheckResult& result, const Numbering& numbering = {}, std::size_t most = 5);
 
-/// "sound: certified, ..." or "DEFECTIVE: ...".
+/// "sound: certified, ...", "DEFECTIVE: ..." or "incomplete: ...", and after it what was not judged.
 std::string verdict_text(const Report& report);
 
-/// The verdict and what failed, causes before what follows from them; in all the first `most` findings. No
-/// warnings, no accounts.
+/// The verdict and the checks that failed, causes before their consequences, with the first `most` findings
+/// in all. Warnings, counts and volumes are left out.
 std::string failure_text(const Report& report, const Numbering& numbering = {}, std::size_t most = 5);
 
 }  // namespace tetproof::verify

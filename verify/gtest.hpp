@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GoogleMock matchers for the tests of a mesher. Who includes this header needs GoogleMock; nothing else of
-// the library does.
+// GoogleMock matchers for the tests of a mesher. Only this header of the library needs GoogleMock.
 //
 //   EXPECT_THAT(mesh, IsSound());
 //   EXPECT_THAT(mesh, IsCertified());
 //   EXPECT_THAT(mesh, Fills(surface, 1e-3));
 //   EXPECT_THAT(std::filesystem::path("out/part.msh"), Fills("part.stl", 1e-3));
 //
-// A failure tells what the report finds first: the cause, the elements, the place.
+// A failure message has the first findings of the report: the cause, the elements, the place.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -27,7 +26,7 @@
 
 namespace tetproof {
 
-/// What GoogleTest prints of a mesh.
+/// Prints a mesh in GoogleTest's messages.
 inline void PrintTo(const TetMesh& mesh, std::ostream* out) {
   *out << "a mesh of " << mesh.tets.size() << " tetrahedra and " << mesh.points.size() << " points";
 }
@@ -35,11 +34,12 @@ inline void PrintTo(const TetMesh& mesh, std::ostream* out) {
 namespace verify {
 namespace gtest_internal {
 
-/// So many findings are told; `tetproof-verify` lists them all.
+/// The number of findings in a message; `tetproof-verify` lists more.
 inline constexpr std::size_t findings_told = 5;
 
-/// Judges what it is given: a TetMesh, whose points and tetrahedra are numbered from 0, or a mesh file by its
-/// std::filesystem::path or its name, with the numbers of the file. A file that cannot be read is an
+/// Judges a TetMesh, whose points and tetrahedra are numbered from 0, or a mesh file, given by its
+/// std::filesystem::path or its name, with the numbers of the file. A file with elements that are not judged,
+/// because they are no tetrahedra or were not read, is not matched. A file that cannot be read is an
 /// InputError, which fails the test, under `Not` too.
 class Judge {
  public:
@@ -56,23 +56,26 @@ class Judge {
   }
 
   bool MatchAndExplain(const TetMesh& mesh, testing::MatchResultListener* listener) const {
-    return judge(mesh, {}, listener);
+    return judge(mesh, {}, options_, listener);
   }
   bool MatchAndExplain(const std::filesystem::path& file, testing::MatchResultListener* listener) const {
     const Document document = read_document(file.string());
-    return judge(tet_mesh(document), numbering(document), listener);
+    Options options = options_;
+    options.unjudged = unjudged(document);
+    return judge(tet_mesh(document), numbering(document), options, listener);
   }
 
   void DescribeTo(std::ostream* out) const { *out << "is " << description(); }
   void DescribeNegationTo(std::ostream* out) const { *out << "is not " << description(); }
 
  private:
-  bool judge(const TetMesh& mesh, const Numbering& numbers, testing::MatchResultListener* listener) const {
+  bool judge(const TetMesh& mesh, const Numbering& numbers, const Options& options,
+             testing::MatchResultListener* listener) const {
     if (mesh.tets.empty()) {
       *listener << "which has no tetrahedra";
       return false;
     }
-    const Report report = judged_ ? verify(mesh, *judged_, options_) : verify(mesh, options_);
+    const Report report = judged_ ? verify(mesh, *judged_, options) : verify(mesh, options);
     if (listener->IsInterested()) *listener << "which is " << failure_text(report, numbers, findings_told);
     return sound(report) && (wanted_ != Wanted::certified || report.certificate == true);
   }
@@ -100,13 +103,13 @@ class Judge {
 
 }  // namespace gtest_internal
 
-/// Matches a mesh, or a mesh file, of which no check fails.
+/// Matches a mesh, or a mesh file, if no check fails and everything was judged.
 inline auto IsSound(Options options = {}) {
   return testing::MakePolymorphicMatcher(
       gtest_internal::Judge(gtest_internal::Judge::Wanted::sound, std::move(options)));
 }
 
-/// Matches a sound mesh whose certificate holds: no check that the proof needs was skipped.
+/// Matches a sound mesh with a certificate: no check that the proof needs was skipped.
 inline auto IsCertified() {
   return testing::MakePolymorphicMatcher(gtest_internal::Judge(gtest_internal::Judge::Wanted::certified, {}));
 }
@@ -117,11 +120,11 @@ inline auto IsCertified() {
 inline auto Fills(TriangleSurface surface, Options options) {
   return testing::MakePolymorphicMatcher(gtest_internal::Judge(std::move(surface), std::move(options)));
 }
-/// Of a surface file. InputError when it cannot be read.
+/// The surface of a file. InputError when it cannot be read.
 inline auto Fills(const std::filesystem::path& surface, Options options) {
   return Fills(read_surface(surface.string()), std::move(options));
 }
-/// The inside, within `tolerance` box diagonals; 0: the surface exactly.
+/// The inside of the surface, within `tolerance` box diagonals; 0: the surface exactly.
 inline auto Fills(TriangleSurface surface, double tolerance) {
   Options options;
   options.fidelity = tolerance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the judge says: a verdict per check, findings with their places, counts and measures.
+// The judge's report: a verdict for each check, findings with their places, counts and measures.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace tetproof::verify {
 
-/// The checks, in the order in which they are reported: a cause stands before what follows from it.
+/// The checks, in the order in which they are reported: causes before their consequences.
 enum class Check {
   index_range,
   finite_coordinates,
@@ -45,24 +45,26 @@ enum class Check {
   surface_to_mesh,
   normals,
 };
-inline constexpr int check_count = 28;
+/// The number of checks. The table of checks asserts that it has a row for each.
+inline constexpr int check_count = static_cast<int>(Check::normals) + 1;
 
-/// What a finding of a check means for the verdict.
+/// How a finding of a check affects the verdict.
 enum class Severity {
   fail,      ///< the mesh is defective
-  warning,   ///< worth knowing, never defective
-  topology,  ///< a warning that fails under strict topology
+  warning,   ///< a warning, which never makes the mesh defective
+  topology,  ///< a warning that becomes a failure under strict topology
 };
 
 /// One row of --list-checks.
 struct CheckInfo {
   Check check;
-  const char* id;      ///< stable, users script against it
-  const char* proves;  ///< what it proves or measures
-  const char* exact;   ///< "exact", or the error it states
+  const char* id;        ///< stable: users script against it
+  const char* proves;    ///< the statement that it proves, or the quantity that it measures
+  const char* accuracy;  ///< "exact", or the error that it states
   Severity severity;
+  bool all_exact;      ///< it rests on exact decisions alone
   bool certificate;    ///< the certificate needs it
-  bool needs_surface;  ///< skipped without a surface
+  bool needs_surface;  ///< it is skipped without a surface
 };
 
 const CheckInfo& info(Check check);
@@ -71,20 +73,20 @@ Check check_of_id(const std::string& id);
 
 enum class Verdict { pass, warning, fail, undecided, skipped };
 
-/// Findings of another check that follow from a finding.
+/// Findings of another check that are consequences of a finding.
 struct Consequence {
   Check check;
   std::int64_t count = 0;
 };
 
-/// A place where a check does not hold. Positions in the arrays of the TetMesh; reports print the file's
-/// numbers.
+/// A place where a check does not hold. Elements are given by their positions in the arrays of the TetMesh;
+/// reports print the numbers of the file.
 struct Finding {
   std::vector<Index> tets{};
   std::vector<Index> vertices{};
   std::vector<std::array<Index, 3>> faces{};  ///< three vertices each
   std::optional<Eigen::Vector3d> point{};     ///< [length], rounded from `point_exact` where that is given
-  std::array<std::string, 3> point_exact{};   ///< rationals "n/d"; empty when doubles say it
+  std::array<std::string, 3> point_exact{};   ///< rationals "n/d"; empty where `point` is exact
   std::string what{};
   std::vector<Consequence> consequences{};
 };
@@ -92,17 +94,24 @@ struct Finding {
 struct CheckResult {
   Check check{};
   Verdict verdict = Verdict::skipped;
-  std::int64_t count = 0;         ///< all findings that have their root here
-  std::int64_t consequences = 0;  ///< findings of this check that follow from another's, listed there
+  std::int64_t count = 0;         ///< all findings that are not consequences of others
+  std::int64_t consequences = 0;  ///< findings that are consequences of another check's, and counted there
   std::optional<double> measured{}, allowed{};
-  std::vector<Finding> findings{};  ///< the first of them
+  std::vector<Finding> findings{};  ///< the first of those that `count` counts
 };
 
-/// Counts and volume of a mesh or a surface. `components` are the closed sheets of the boundary, `cavities`
-/// those of them that bound a cavity, `genus` the sum over the sheets. A boundary is cut into sheets at its
-/// non-manifold edges, where faces that bound the same wedge of tetrahedra stay together, and at its
-/// non-manifold vertices, one copy per fan. Absent when the faces do not match or the boundary has open
-/// edges.
+/// Elements or checks that the verdict does not cover.
+struct NotJudged {
+  std::string what;  ///< "hexahedra", "cells of type 42", "check volume-voxel"
+  std::int64_t count = 0;
+  std::string why;  ///< the reason: "only tetrahedra are judged"
+};
+
+/// Counts and volume of a mesh or a surface. `components` counts the closed sheets of the boundary,
+/// `cavities` those of them that bound a cavity; `genus` is the sum over the sheets. A boundary is cut into
+/// sheets at its non-manifold edges, where faces that bound the same wedge of tetrahedra stay together, and
+/// at its non-manifold vertices, with one copy of the vertex for each fan. The three are absent when the
+/// faces do not match or the boundary has open edges.
 struct Shape {
   std::int64_t points = 0, tets = 0, boundary_faces = 0;
   std::optional<std::int64_t> components{}, cavities{}, genus{};
@@ -113,46 +122,47 @@ struct Shape {
 struct VolumeAccount {
   std::optional<double> mesh, surface, relative_difference;  ///< exact values rounded once
   std::optional<double> voxel_inside, voxel_error_bound, voxel_error_estimate;
-  std::optional<double> missing, excess;  ///< of the regions found, by voxels; absent when not looked for
+  std::optional<double> missing, excess;  ///< volume of such regions, by voxels; absent when not looked for
 };
 
 /// The directed Hausdorff distances between the mesh's boundary and the surface [length]: each is at least
-/// what is given and at most `error_bound` more. With region outside the mesh's own outer boundary is left
-/// out.
+/// the given value, and at most `error_bound` more. With region outside, the mesh's own outer boundary is
+/// left out.
 struct Fidelity {
   std::optional<double> mesh_to_surface, surface_to_mesh;
   double error_bound = 0, allowed = 0;
 };
 
-/// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]), the last from edges[i] on; lower ones
-/// are in the first.
+/// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]). The last interval has no upper end, and
+/// values below the first edge are counted in the first interval.
 struct Distribution {
   double min = 0, max = 0;
   std::vector<double> edges{};
   std::vector<std::int64_t> counts{};
 };
 
-/// In double arithmetic. Angles: absolute error of some 1e-15 radians, but for nearly flat tetrahedra, where
-/// the rounding of their coordinates' differences is seen.
+/// Measured in double arithmetic. Angles have an absolute error of some 1e-15 radians. The error is larger in
+/// nearly flat tetrahedra, because the differences of their coordinates are rounded.
 struct Quality {
-  std::int64_t tets = 0;         ///< those measured: of positive volume
+  std::int64_t tets = 0;         ///< tetrahedra that were measured: those of positive volume
   Distribution dihedral_angles;  ///< [degrees], six a tetrahedron
   Distribution solid_angles;     ///< [full angle 4 pi], four a tetrahedron
   Distribution aspect_ratios;    ///< longest edge / (2 sqrt(6) inradius): 1 for the regular tetrahedron
 };
 
-/// One region of a mesh of several. Boundary faces are those that no other tetrahedron of the region has:
-/// faces shared with other regions are among them.
+/// One region of a mesh of several regions. Its boundary faces belong to one tetrahedron of the region; faces
+/// that it shares with other regions are among them.
 struct RegionAccount {
   std::int64_t tag = 0;
   Shape shape{};
 };
 
 struct Report {
-  std::vector<CheckResult> checks;  ///< all, in the order of `Check`
-  std::optional<bool> certificate;  ///< absent when a check that it needs was skipped and none failed
+  std::vector<CheckResult> checks;    ///< one for each check, in the order of `Check`
+  std::optional<bool> certificate;    ///< absent when a check that it needs was skipped and none failed
+  std::vector<NotJudged> not_judged;  ///< elements and checks that the verdict does not cover
   Shape mesh;
-  std::vector<RegionAccount> regions;  ///< by their tags; empty where there is one only
+  std::vector<RegionAccount> regions;  ///< ascending by their tags; empty if there is only one region
   std::optional<Shape> surface;
   VolumeAccount volume;
   std::optional<Fidelity> fidelity;  ///< absent when no distance was measured
@@ -163,15 +173,20 @@ struct Report {
   const CheckResult& operator[](Check check) const { return checks[static_cast<std::size_t>(check)]; }
 };
 
-/// No check failed.
+/// A check failed.
+bool defective(const Report& report);
+/// No check failed, and everything was judged. A report that is neither sound nor defective is incomplete.
 bool sound(const Report& report);
 
-/// For people: the verdict, what is wrong and where, then counts and volumes. Numbers as in the file.
+/// The report for people: the verdict, what is wrong and where, then counts and volumes. Numbers as in the
+/// file.
 std::string report_text(const Report& report, const Numbering& numbering = {});
-/// The keys are a contract: `--json` of tetproof-verify.
+/// The report as JSON: the text that `tetproof-verify --json` writes. The keys are a contract:
+/// verify/reports/report.schema.json.
 std::string report_json(const Report& report, const Numbering& numbering = {});
-/// JUnit XML for CI systems: `mesh`, a test suite of this name; each check, a test case that may fail or be
-/// skipped; warnings and what is undecided in its system-out. What XML cannot hold of the name is replaced.
+/// The report as JUnit XML for CI systems. The test suite is called `mesh`; characters that XML cannot hold
+/// are replaced. Each check is a test case that may fail or be skipped; its system-out has warnings and
+/// undecided results. What was not judged is a skipped test case, too.
 std::string report_junit(const Report& report, const std::string& mesh, const Numbering& numbering = {});
 /// The table of --list-checks.
 std::string list_checks();

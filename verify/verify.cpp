@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of the judgement.
+// The stages of the judgement, in their order.
 #include "verify/verify.hpp"
 
 #include <fmt/core.h>
@@ -8,17 +8,15 @@
 #include <cmath>
 
 #include "io/error.hpp"
-#include "verify/checks/check_surface.hpp"
-#include "verify/checks/judgement.hpp"
-#include "verify/checks/surface_judgement.hpp"
-#include "verify/mesh/mesh_volumes.hpp"
+#include "verify/checks/check_against_surface.hpp"
+#include "verify/checks/evidence.hpp"
 #include "verify/mesh/quality.hpp"
 #include "verify/mesh/regions.hpp"
 
 namespace tetproof::verify {
 namespace {
 
-// Wall time from one call to the next.
+// Measures the wall time from one call of `done` to the next.
 class Phases {
  public:
   Phases(bool on, Report& report) : on_(on), report_(report) {}
@@ -35,86 +33,70 @@ class Phases {
   Clock::time_point last_ = Clock::now();
 };
 
-std::array<bool, check_count> asked_checks(const Options& options, bool with_surface) {
-  std::array<bool, check_count> asked;
-  asked.fill(options.check.empty());
-  for (const std::string& id : options.check) asked[static_cast<std::size_t>(check_of_id(id))] = true;
-  for (const std::string& id : options.skip) asked[static_cast<std::size_t>(check_of_id(id))] = false;
-  if (!with_surface || options.region == Region::none)
-    for (int i = 0; i < check_count; ++i)
-      if (info(static_cast<Check>(i)).needs_surface) asked[static_cast<std::size_t>(i)] = false;
-  return asked;
-}
-
-void settle_verdicts(const Judgement& j, Report& report) {
-  const auto fails = [&](const CheckInfo& row) {
-    if (row.severity == Severity::topology)
-      return j.options.strict_topology || (report.surface && j.options.fidelity == 0);
-    return row.severity == Severity::fail &&
-           !(j.options.coarse && (row.check == Check::surface_to_mesh || row.check == Check::missing_region));
-  };
-  bool violated = false, open = false;
-  for (CheckResult& result : report.checks) {
-    const CheckInfo& row = info(result.check);
-    const bool held = result.count + result.consequences == 0;
-    if (row.certificate) {
-      violated = violated || !held;
-      open = open || !j.wants(result.check);
-    }
-    if (!j.wants(result.check))
-      result.verdict = Verdict::skipped;
-    else if (!held)
-      result.verdict = fails(row) ? Verdict::fail : Verdict::warning;
-    else if (result.verdict != Verdict::undecided)
-      result.verdict = Verdict::pass;
-  }
-  if (violated)
-    report.certificate = false;
-  else if (!open)
-    report.certificate = true;
-}
-
-Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
+void refuse_unusable(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
   if (!(options.fidelity >= 0) || !std::isfinite(options.fidelity))
     throw InputError(fmt::format("fidelity is {}, expected a number >= 0", options.fidelity));
   if (!options.regions.empty() && options.regions.size() != mesh.tets.size())
     throw InputError(fmt::format("regions of {} tetrahedra are given, expected those of all {}",
                                  options.regions.size(), mesh.tets.size()));
-  Judgement j{.mesh = mesh, .options = options, .asked = asked_checks(options, surface)};
-  Report& report = j.report;
-  for (int i = 0; i < check_count; ++i) report.checks.push_back({.check = static_cast<Check>(i)});
+  if (surface && !surface->report().fault.empty()) throw InputError(surface->report().fault);
+}
+
+Shape shape_of_mesh(const TetMesh& mesh, const TetrahedraEvidence& tetrahedra, const Boundary& boundary,
+                    const MeshVolumes& volumes) {
+  Shape shape = shape_of(boundary, volumes);
+  shape.points = static_cast<std::int64_t>(mesh.points.size());
+  shape.tets = static_cast<std::int64_t>(mesh.tets.size());
+  shape.boundary_faces = static_cast<std::int64_t>(tetrahedra.faces.boundary.size());  // with cracks open
+  return shape;
+}
+
+Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
+  Record record(options, surface);
+  refuse_unusable(mesh, surface, options);
+  Report& report = record.report;
   Phases phases(options.timings, report);
+  if (surface) report.notes = surface->report().notes;
+  report.not_judged = options.unjudged.elements;
+
+  const PointEvidence points = examine_points(mesh, record);
+  check_points(mesh, points, options.unjudged, record);
+  phases.done("points");
+
+  const TetrahedraEvidence tetrahedra = examine_tetrahedra(mesh, points, record);
+  check_tetrahedra(mesh, tetrahedra, record);
+  Cracks cracks = examine_cracks(mesh, points, tetrahedra, record);
+  check_cracks(mesh, points, cracks, record);
+  const BoundaryEvidence boundary = examine_boundary(mesh, points, tetrahedra, cracks);
+  cracks.closed.reset();  // a copy of the mesh
+  phases.done("tetrahedra");
+
+  const MeshVolumes volumes = mesh_volumes(mesh, boundary.boundary);
+  report.mesh = shape_of_mesh(mesh, tetrahedra, boundary.boundary, volumes);
+  report.volume.mesh = report.mesh.volume;
+  if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, points.excluded);
+  phases.done("volume");
+
+  const ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
+  check_conformity(mesh, boundary.boundary, contacts, record);
+  check_cavities(mesh, boundary.boundary, contacts.conformity, volumes,
+                 surface ? right_cavities(options.region, surface->report()) : 0, record);
+  check_manifold(mesh, boundary.boundary, contacts.conformity, record);
+  check_self_intersection(mesh, boundary.boundary, contacts, record);
+  check_overlap(mesh, points, boundary, contacts, record);
+  phases.done("boundary");
 
   if (surface) {
-    if (!surface->report().fault.empty()) throw InputError(surface->report().fault);
-    report.notes = surface->report().notes;
-  }
-  check_numbers_and_points(j);
-  phases.done("points");
-  check_tetrahedra(j);
-  phases.done("tetrahedra");
-  const MeshVolumes volumes = mesh_volumes(mesh, j.boundary);
-  report.mesh = shape_of(j.boundary, volumes);
-  report.mesh.points = static_cast<std::int64_t>(mesh.points.size());
-  report.mesh.tets = static_cast<std::int64_t>(mesh.tets.size());
-  report.mesh.boundary_faces = j.boundary_faces;
-  report.volume.mesh = report.mesh.volume;
-  if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, j.excluded);
-  phases.done("volume");
-  check_boundary(j, volumes, surface ? right_cavities(options.region, surface->report()) : 0);
-  phases.done("boundary");
-  if (surface) {
-    check_against_surface(j, volumes, surface->surface(), surface->judgement());
+    check_against_surface({mesh, points.excluded, boundary.boundary, volumes, options}, *surface, record);
     phases.done("against the surface");
   }
   if (options.quality) {
-    report.quality = measure_quality(mesh, j.excluded);
+    report.quality = measure_quality(mesh, points.excluded);
     phases.done("quality");
   }
-  settle(mesh, j.suspects, report);
-  settle_verdicts(j, report);
+  record.settle(mesh, options);
   phases.done("findings");
-  return std::move(report);
+  return std::move(record.report);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The judge of a tetrahedral mesh: is it a valid triangulation of a solid, and does it fill the surface?
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,45 +11,64 @@
 #include "verify/report.hpp"
 #include "verify/surface.hpp"
 
+namespace tetproof {
+struct Document;
+}
+
 namespace tetproof::verify {
 
-/// What of the surface the mesh should fill: the solid, or the space between the solid and an outer boundary
-/// of the mesh's own.
+/// The part of space that the mesh should fill: the solid inside the surface, or the space between the solid
+/// and an outer boundary of the mesh's own.
 enum class Region { none, inside, outside };
 
+/// The elements of a file that are not judged, because they are no tetrahedra or were not read.
+struct Unjudged {
+  std::vector<NotJudged> elements{};
+  std::vector<Index> points{};  ///< points of the mesh that such elements use: they are not unused
+  bool points_known = true;     ///< false: such elements may use any point
+};
+
+/// Finds the elements of a document that are not among the tetrahedra of `tet_mesh(document)`, though they
+/// are part of the mesh: elements that the reader dropped, and elements of dimension 3 of other shapes.
+Unjudged unjudged(const Document& document);
+
 struct Options {
-  Region region = Region::none;  ///< none with a surface given: only the surface's own account is made
-  double fidelity =
-      1e-3;  ///< allowed distance [the surface's box diagonal]; 0: the mesh reproduces the surface exactly
-  bool strict_topology =
-      false;  ///< topology, cavities and non-manifold edges and vertices fail; so they do at fidelity 0
+  Region region = Region::none;  ///< none with a surface given: the report describes the surface, no more
+  /// Allowed distance [the surface's box diagonal]; 0: the mesh reproduces the surface exactly.
+  double fidelity = 1e-3;
+  /// Topology, cavities and non-manifold edges and vertices fail instead of warn. So they do at fidelity 0.
+  bool strict_topology = false;
   int voxels = 128;  ///< along the longest side, for the independent account of volume; 0: without
-  /// For a mesh whose maker could not do better than the allowed distance, as a lattice with cells of that
-  /// size: what is thinner than a cell is lost, and surface-to-mesh and missing-region only warn. To be fast,
-  /// the distances are only decided, not measured more closely than that, and normals are skipped: at a tenth
-  /// of the cost of such a mesh they would tell what its maker knows.
+  /// For a mesh that cannot be closer to the surface than the allowed distance, because it was made from a
+  /// lattice with cells of that size. Parts thinner than a cell are lost, so surface-to-mesh and
+  /// missing-region only warn. To save time, the distances are compared with the allowed one and not measured
+  /// more closely, and normals are skipped: they would take a tenth of the time that making such a mesh
+  /// takes, and tell its maker nothing new.
   bool coarse = false;
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
-  /// The region of each tetrahedron, as element tags say; empty: one region. Regions may share faces. The
-  /// mesh is judged as a whole, and each region gets its account.
-  std::vector<std::int64_t> regions;
+  /// The region of each tetrahedron, from the tags of its element; empty: one region. Regions may share
+  /// faces. The mesh is judged as a whole, and each region gets its own account.
+  std::vector<std::int64_t> regions{};
+  Unjudged unjudged{};  ///< if there are any such elements, a mesh without defect is not sound but incomplete
   bool timings = false;
   bool quality = true;  ///< measure angles and aspect ratios
 };
 
-/// Judges the mesh as it is written: nothing is re-wound, merged or repaired. All decisions are exact; what
-/// is measured states its error.
+/// Judges the mesh as it is written: nothing is re-wound, merged or repaired. All decisions are exact, and
+/// every measured value states its error.
 ///
-/// A mesh is a valid triangulation of a solid if every tetrahedron is exactly positive, every face belongs to
-/// one or two tetrahedra and two induce opposite orientations, the boundary does not intersect itself, and no
-/// part of it lies inside another part's solid. Then every point off the boundary is covered as often as the
-/// boundary winds around it: once inside, never outside. Same report for any number of threads. Throws
-/// InputError for an unknown id in the options.
+/// A mesh is a valid triangulation of a solid if four things hold. Every tetrahedron is exactly positive.
+/// Every face belongs to one or two tetrahedra, and two induce opposite orientations. The boundary does not
+/// intersect itself. No part of the boundary lies inside the solid of another part. Then every point off the
+/// boundary is covered as often as the boundary winds around it: once inside, never outside.
+///
+/// The report is the same for any number of threads. Throws InputError for an unknown id in the options.
 Report verify(const TetMesh& mesh, const Options& options = {});
 
-/// The same, and against a surface. Throws InputError when the surface is not usable (`judge_surface`).
+/// Judges the mesh, and compares it with a surface. Throws InputError when the surface is not usable
+/// (`judge_surface`).
 Report verify(const TetMesh& mesh, const TriangleSurface& surface, const Options& options = {});
-/// The same, with a surface that was judged before.
+/// Does the same with a surface that was judged before.
 Report verify(const TetMesh& mesh, const JudgedSurface& surface, const Options& options = {});
 
 }  // namespace tetproof::verify

@@ -202,7 +202,8 @@ int mesh(const Arguments& a, const program::Common& common) {
     program::write_text(common.json, json.dump(2) + "\n");
   }
   const bool admissible = !made.follow || made.follow->admissible;
-  return verify::sound(report) && admissible ? program::sound : program::wrong;
+  if (verify::defective(report) || !admissible) return program::wrong;
+  return verify::sound(report) ? program::sound : program::incomplete;
 }
 
 }  // namespace

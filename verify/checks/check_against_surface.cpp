@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/checks/check_surface.hpp"
+#include "verify/checks/check_against_surface.hpp"
 
 #include <fmt/core.h>
 
@@ -10,114 +10,140 @@
 
 #include "verify/checks/surface_comparison.hpp"
 #include "verify/triangles/winding.hpp"
-#include "verify/voxel_volume.hpp"
 
 namespace tetproof::verify {
 namespace {
 
-// Sheets of the mesh's boundary that are its own outer boundary and not the surface's: with region outside
-// those in no other.
-std::vector<int> own_sheets(const Judgement& j) {
-  const Boundary& boundary = j.boundary;
-  std::vector<int> own(boundary.sheets.sheets.size(), 0);
-  if (j.options.region == Region::outside) {
+// Marks the sheets of the boundary that are the mesh's own outer boundary, and not the surface's. With region
+// outside these are the sheets that lie in no other one.
+std::vector<int> own_sheets(const JudgedMesh& mesh) {
+  std::vector<int> own(mesh.boundary.sheets.sheets.size(), 0);
+  if (mesh.options.region == Region::outside) {
     const std::vector<int> depths =
-        nesting_depths(j.mesh.points, boundary.boundary_triangles(), boundary.sheets);
+        nesting_depths(mesh.mesh.points, mesh.boundary.boundary_triangles(), mesh.boundary.sheets);
     std::transform(depths.begin(), depths.end(), own.begin(), [](int depth) { return depth == 0; });
   }
   return own;
 }
 
-Suspects one_if(bool found, std::string what) {
-  return {found ? std::size_t{1} : 0, [](std::size_t) { return Finding{}; },
-          [what = std::move(what)](std::size_t, Finding& finding) { finding.what = what; }};
+Shape shape_of(const SurfaceReport& surface) {
+  Shape shape{.points = surface.vertices,
+              .tets = 0,
+              .boundary_faces = surface.triangles,
+              .components = static_cast<std::int64_t>(surface.components.size()),
+              .cavities = surface.cavities(),
+              .genus = surface.genus,
+              .volume = surface.volume};
+  for (const SurfaceComponent& c : surface.components) shape.genus_per_component.push_back(c.genus);
+  return shape;
 }
 
-// volume-surface, volume-voxel.
-void check_volumes(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
-                   const SurfaceJudgement& judged, const std::vector<int>& own) {
-  const SurfaceReport& s = judged.report;
-  Report& report = j.report;
+// The voxels of the surface, or the reason why there are none. Both empty: nobody asks for them.
+struct VoxelEvidence {
+  std::shared_ptr<const SurfaceVoxels> voxels;
+  std::string fault;
+};
+VoxelEvidence examine_voxels(const JudgedSurface& surface, const Options& options, const Record& record) {
+  if (!record.wants(Check::missing_region) && !record.wants(Check::excess_region) &&
+      !record.wants(Check::volume_voxel))
+    return {};
+  try {
+    return {surface.judgement().voxels->of(surface.surface(), options.voxels), {}};
+  } catch (const VoxelRangeError& error) {
+    return {{}, error.what()};
+  }
+}
+
+// The volume that the mesh has, beside the one that it should have.
+struct VolumeEvidence {
+  double difference = 0;  // what the mesh has more than it should, the nearest double to the exact value
+  double outer = 0;       // volume inside the mesh's own outer boundary
+  double right = 0;       // volume that the mesh should have
+  double allowed = 0;
+};
+VolumeEvidence compare_volumes(const JudgedMesh& mesh, const SurfaceJudgement& judged,
+                               const std::vector<int>& own) {
   // Inside: mesh - surface. Outside: mesh - (outer boundary - surface).
-  const bool outside = j.options.region == Region::outside;
+  const bool outside = mesh.options.region == Region::outside;
+  const MeshVolumes& volumes = mesh.volumes;
   std::vector<int> mesh_weights = volumes.all, surface_weights = judged.weights, outer(volumes.all.size(), 0);
   for (std::size_t i = 0; i < own.size(); ++i)
     if (own[i]) outer[i] = 1, mesh_weights[i] -= 1;
   if (outside)
     for (int& weight : surface_weights) weight = -weight;
-  const double difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights);
-  const double outer_volume = volumes.sets.weighted_sum(outer);
-  const double right_volume = outside ? outer_volume - s.volume : s.volume;
-  const double allowed = j.options.fidelity * (s.box_max - s.box_min).norm() * s.area;
-  report.volume.relative_difference = difference / right_volume;
-  if (j.wants(Check::volume_surface)) {
-    CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_surface)];
-    result.measured = std::abs(difference);
-    result.allowed = allowed;
-    j[Check::volume_surface] =
-        one_if(std::abs(difference) > allowed,
-               fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
-                           *report.volume.mesh, std::abs(difference), difference < 0 ? "less" : "more"));
-  }
-  if (j.options.voxels == 0) j.skip({Check::volume_voxel});
-  if (!j.wants(Check::volume_voxel)) return;
-  VoxelVolume voxels;
-  try {
-    voxels = voxel_volume(surface, j.options.voxels);
-  } catch (const VoxelRangeError& error) {
-    j.skip({Check::volume_voxel});
-    report.notes.push_back(fmt::format("no voxel account: {}", error.what()));
+  const SurfaceReport& s = judged.report;
+  VolumeEvidence evidence{
+      .difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights),
+      .outer = volumes.sets.weighted_sum(outer),
+      .allowed = mesh.options.fidelity * (s.box_max - s.box_min).norm() * s.area};
+  evidence.right = outside ? evidence.outer - s.volume : s.volume;
+  return evidence;
+}
+
+void check_volume_surface(const VolumeEvidence& volumes, Record& record) {
+  record.report.volume.relative_difference = volumes.difference / volumes.right;
+  if (!record.wants(Check::volume_surface)) return;
+  CheckResult& result = record.result(Check::volume_surface);
+  result.measured = std::abs(volumes.difference);
+  result.allowed = volumes.allowed;
+  if (!(std::abs(volumes.difference) > volumes.allowed)) return;
+  record[Check::volume_surface] = Suspects::complete(
+      {{.what = fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
+                            *record.report.volume.mesh, std::abs(volumes.difference),
+                            volumes.difference < 0 ? "less" : "more")}});
+}
+
+void check_volume_voxel(const VolumeEvidence& volumes, Region region, const VoxelEvidence& evidence,
+                        Record& record) {
+  if (!record.wants(Check::volume_voxel)) return;
+  Report& report = record.report;
+  if (!evidence.voxels) {
+    record.could_not_run({Check::volume_voxel}, evidence.fault);
+    report.notes.push_back(fmt::format("no voxel account: {}", evidence.fault));
     return;
   }
+  const VoxelVolume& voxels = evidence.voxels->volume;
   report.volume.voxel_inside = voxels.inside;
   report.volume.voxel_error_bound = voxels.error_bound;
-  if (j.options.voxels / 2 >= least_voxels)
-    report.volume.voxel_error_estimate =
-        std::abs(voxels.inside - voxel_volume(surface, j.options.voxels / 2).inside);
-  const double apart =
-      std::abs(*report.volume.mesh - (outside ? outer_volume - voxels.inside : voxels.inside));
-  CheckResult& result = report.checks[static_cast<std::size_t>(Check::volume_voxel)];
+  report.volume.voxel_error_estimate = evidence.voxels->error_estimate;
+  const double apart = std::abs(*report.volume.mesh -
+                                (region == Region::outside ? volumes.outer - voxels.inside : voxels.inside));
+  CheckResult& result = record.result(Check::volume_voxel);
   result.measured = apart;
-  result.allowed = allowed;
-  if (apart > allowed && apart <= allowed + voxels.error_bound) result.verdict = Verdict::undecided;
-  j[Check::volume_voxel] = one_if(apart > allowed + voxels.error_bound,
-                                  fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed "
-                                              "{:.6g} and the voxels' error of at most {:.6g}",
-                                              apart, allowed, voxels.error_bound));
+  result.allowed = volumes.allowed;
+  if (!(apart > volumes.allowed)) return;
+  if (apart <= volumes.allowed + voxels.error_bound) result.verdict = Verdict::undecided;
+  if (!(apart > volumes.allowed + voxels.error_bound)) return;
+  record[Check::volume_voxel] = Suspects::complete(
+      {{.what = fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed {:.6g} and the "
+                            "voxels' error of at most {:.6g}",
+                            apart, volumes.allowed, voxels.error_bound)}});
 }
 
-// Distances, normals, and regions that are missing or too much.
-void compare(Judgement& j, Comparison& comparison, const std::vector<int>& own) {
-  if (!comparison.mesh_tree) {
-    j.skip({Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::topology,
-            Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
-    j.report.notes.push_back(
-        "distances were not measured, components not paired: doubles cannot measure the box of mesh and "
-        "surface");
-    return;
-  }
-  check_distances(j, comparison);
-  if (j.wants(Check::normals)) check_normals(j, comparison);
-  if (j.options.voxels == 0) j.skip({Check::missing_region, Check::excess_region});
-  if (!j.wants(Check::missing_region) && !j.wants(Check::excess_region)) return;
+RegionEvidence check_regions(const Comparison& comparison, const DistanceEvidence& distances,
+                             const std::vector<int>& own, const SurfaceVoxels* voxels, Record& record) {
+  if (!record.wants(Check::missing_region) && !record.wants(Check::excess_region)) return {};
   try {
-    check_missing_and_excess(j, comparison, own);
+    return check_missing_and_excess(comparison, distances, own, voxels, record);
   } catch (const VoxelRangeError& error) {
-    j.skip({Check::missing_region, Check::excess_region});
-    j.report.notes.push_back(fmt::format("missing and excess regions were not looked for: {}", error.what()));
+    record.could_not_run({Check::missing_region, Check::excess_region}, error.what());
+    record.report.notes.push_back(
+        fmt::format("missing and excess regions were not looked for: {}", error.what()));
+    return {};
   }
 }
 
-// What follows from a region that is missing or too much.
-void name_region(Judgement& j, const Comparison& c) {
-  if (!c.region) return;
+// Names the region that is missing or in excess as the cause of what it makes differ.
+void name_region(const RegionEvidence& regions, Record& record) {
+  if (!regions.largest) return;
+  const Cause largest = *regions.largest, excess{Check::excess_region, 0};
   for (const Check check :
        {Check::topology, Check::volume_surface, Check::volume_voxel, Check::surface_to_mesh})
-    j[check].cause = [region = c.region](std::size_t) { return region; };
-  if (!j[Check::mesh_to_surface].cause || !j[Check::mesh_to_surface].cause(0))
-    if (c.region->check == Check::excess_region || j[Check::excess_region].count > 0)
-      j[Check::mesh_to_surface].cause = [](std::size_t) { return Cause{Check::excess_region, 0}; };
-  j[Check::off_surface_vertex].cause = [at = c.region_at_off_vertex](std::size_t i) { return at[i]; };
+    record[check].cause = [largest](std::size_t) { return largest; };
+  auto& cause = record[Check::mesh_to_surface].cause;
+  if ((!cause || !cause(0)) && record[Check::excess_region].count > 0)
+    cause = [excess](std::size_t) { return excess; };
+  record[Check::off_surface_vertex].cause = [at = regions.at_off_vertex](std::size_t i) { return at[i]; };
 }
 
 }  // namespace
@@ -128,42 +154,52 @@ std::size_t right_cavities(Region region, const SurfaceReport& surface) {
   return region == Region::outside ? surface.components.size() - inner : inner;
 }
 
-void check_against_surface(Judgement& j, const MeshVolumes& volumes, const TriangleSurface& surface,
-                           const SurfaceJudgement& judged) {
-  const SurfaceReport& s = judged.report;
-  Report& report = j.report;
-  report.surface = Shape{.points = s.vertices,
-                         .tets = 0,
-                         .boundary_faces = s.triangles,
-                         .components = static_cast<std::int64_t>(s.components.size()),
-                         .cavities = s.cavities(),
-                         .genus = s.genus};
-  for (const SurfaceComponent& c : s.components) report.surface->genus_per_component.push_back(c.genus);
-  report.surface->volume = report.volume.surface = s.volume;
-  if (j.options.region == Region::none) return;
+void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface, Record& record) {
+  Report& report = record.report;
+  const Options& options = mesh.options;
+  report.surface = shape_of(surface.report());
+  report.volume.surface = report.surface->volume;
+  if (options.region == Region::none) return;
 
-  // What cannot be compared was found defective before.
-  const bool whole = j.boundary.closed && report.mesh.components;
-  std::vector<int> own(volumes.all.size() - 1, 0);
-  if (whole) own = own_sheets(j);
+  // A boundary that cannot be compared was found defective before.
+  const bool whole = mesh.boundary.closed && report.mesh.components;
+  constexpr const char* not_whole = "the boundary is not closed, or faces do not match";
+  const std::vector<int> own = whole ? own_sheets(mesh) : std::vector<int>(mesh.volumes.all.size() - 1, 0);
   if (!whole) {
-    j.skip({Check::topology});
-    report.notes.push_back(
-        "the topology was not compared with the surface's: the boundary is not closed, or faces do not "
-        "match");
+    record.could_not_run({Check::topology}, not_whole);
+    report.notes.push_back(fmt::format("the topology was not compared with the surface's: {}", not_whole));
   }
-  if (!whole && j.options.region == Region::outside) {
-    j.skip({Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
-            Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals});
+  if (!whole && options.region == Region::outside) {
+    record.could_not_run(
+        {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
+         Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+        not_whole);
     return;
   }
 
-  if (j.options.coarse) j.skip({Check::normals});
-  Comparison comparison(j, surface, judged, own);
-  if (j.wants(Check::topology) && comparison.mesh_tree) check_topology(j, volumes, comparison);
-  compare(j, comparison, own);
-  check_volumes(j, volumes, surface, judged, own);
-  name_region(j, comparison);
+  if (options.coarse) record.leave_out({Check::normals});
+  if (options.voxels == 0)
+    record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel});
+  const VoxelEvidence voxels = examine_voxels(surface, options, record);
+  const Comparison comparison(mesh, surface, own);
+  RegionEvidence regions;
+  if (comparison.mesh_tree) {
+    if (record.wants(Check::topology)) check_topology(comparison, record);
+    const DistanceEvidence distances = measure_distances(comparison, record);
+    check_distances(comparison, distances, record);
+    check_normals(comparison, distances, record);
+    regions = check_regions(comparison, distances, own, voxels.voxels.get(), record);
+  } else {
+    constexpr const char* why = "doubles cannot measure the box of mesh and surface";
+    record.could_not_run({Check::missing_region, Check::excess_region, Check::off_surface_vertex,
+                          Check::topology, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+                         why);
+    report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
+  }
+  const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
+  check_volume_surface(volumes, record);
+  check_volume_voxel(volumes, options.region, voxels, record);
+  name_region(regions, record);
 }
 
 }  // namespace tetproof::verify

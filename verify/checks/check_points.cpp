@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checks of numbers and coordinates: what must hold before geometry can be asked.
+// Checks numbers and coordinates: the conditions without which a tetrahedron has no geometry.
 #include <fmt/core.h>
 #include <tbb/parallel_sort.h>
 
@@ -7,7 +7,7 @@
 #include <bit>
 #include <utility>
 
-#include "verify/checks/judgement.hpp"
+#include "verify/checks/evidence.hpp"
 #include "verify/triangles/chunks.hpp"
 
 namespace tetproof::verify {
@@ -17,7 +17,8 @@ bool less(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : p.z() < q.z();
 }
 
-// Sets of finite points with equal coordinates (-0 equals 0), each ascending, by their first.
+// Sets of finite points with equal coordinates (-0 equals 0). Each set ascends; the sets are sorted by their
+// first point.
 std::vector<std::vector<Index>> equal_points(const std::vector<Eigen::Vector3d>& points) {
   struct Record {
     std::uint64_t hash;
@@ -63,11 +64,9 @@ std::string place(const Eigen::Vector3d& p) {
 
 }  // namespace
 
-void check_numbers_and_points(Judgement& j) {
-  const TetMesh& mesh = j.mesh;
+PointEvidence examine_points(const TetMesh& mesh, const Record& record) {
   const auto points = static_cast<Index>(mesh.points.size());
   const auto in_range = [=](Index v) { return v >= 0 && v < points; };
-
   enum Fault { out_of_range, not_finite, repeats };
   std::vector<std::uint8_t> finite(mesh.points.size());
   tbb::parallel_for(std::size_t{0}, mesh.points.size(),
@@ -85,80 +84,94 @@ void check_numbers_and_points(Judgement& j) {
           if (a == b || a == c || a == d || b == c || b == d || c == d) found.emplace_back(tet, repeats);
         }
       });
-  if (!faults.empty()) j.excluded.assign(mesh.tets.size(), 0);
-  std::vector<Index> outside, repeating;
-  std::vector<std::pair<Index, Index>> infinite;  // vertex, tetrahedron
+  PointEvidence evidence;
+  if (!faults.empty()) evidence.excluded.assign(mesh.tets.size(), 0);
   for (const auto& [t, fault] : faults) {
-    j.excluded[t] = 1;
-    if (fault == out_of_range) outside.push_back(t);
-    if (fault == repeats) repeating.push_back(t);
+    evidence.excluded[t] = 1;
+    if (fault == out_of_range) evidence.out_of_range.push_back(t);
+    if (fault == repeats) evidence.repeating.push_back(t);
     if (fault == not_finite)
       for (const Index v : mesh.tets[t])
-        if (!finite[v]) infinite.emplace_back(v, t);
+        if (!finite[v]) evidence.not_finite.emplace_back(v, t);
   }
-  std::sort(infinite.begin(), infinite.end());
+  std::sort(evidence.not_finite.begin(), evidence.not_finite.end());
+  if (record.wants(Check::duplicate_point) || record.wants(Check::crack))
+    evidence.same_place = equal_points(mesh.points);
+  return evidence;
+}
 
-  if (j.wants(Check::index_range))
-    j[Check::index_range] = {outside.size(), [=](std::size_t i) { return Finding{.tets = {outside[i]}}; },
-                             [=, &mesh](std::size_t i, Finding& finding) {
-                               for (const Index v : mesh.tets[outside[i]])
-                                 if (!in_range(v)) finding.vertices.push_back(v);
-                               finding.what = finding.vertices.size() == 1
-                                                  ? "names a point that does not exist"
-                                                  : fmt::format("names {} points that do not exist",
-                                                                finding.vertices.size());
-                             }};
-  if (j.wants(Check::finite_coordinates)) {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < infinite.size(); ++i)
-      if (i == 0 || infinite[i].first != infinite[i - 1].first) starts.push_back(i);
-    const std::size_t count = starts.size();
-    starts.push_back(infinite.size());
-    j[Check::finite_coordinates] = {count,
-                                    [=](std::size_t i) {
-                                      Finding finding{.vertices = {infinite[starts[i]].first}};
-                                      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
-                                        if (k == starts[i] || infinite[k].second != infinite[k - 1].second)
-                                          finding.tets.push_back(infinite[k].second);
-                                      return finding;
-                                    },
-                                    [&mesh](std::size_t, Finding& finding) {
-                                      finding.what = "its coordinates are not finite: " +
-                                                     place(mesh.points[finding.vertices[0]]);
-                                    }};
+void check_points(const TetMesh& mesh, const PointEvidence& evidence, const Unjudged& unjudged,
+                  Record& record) {
+  const auto points = static_cast<Index>(mesh.points.size());
+  const auto in_range = [=](Index v) { return v >= 0 && v < points; };
+  if (record.wants(Check::index_range))
+    record[Check::index_range] = {
+        .count = evidence.out_of_range.size(),
+        .finding = [&](std::size_t i) { return Finding{.tets = {evidence.out_of_range[i]}}; },
+        .describe =
+            [in_range, &mesh](std::size_t, Finding& finding) {
+              for (const Index v : mesh.tets[finding.tets[0]])
+                if (!in_range(v)) finding.vertices.push_back(v);
+              finding.what = finding.vertices.size() == 1
+                                 ? "names a point that does not exist"
+                                 : fmt::format("names {} points that do not exist", finding.vertices.size());
+            }};
+  if (record.wants(Check::finite_coordinates)) {
+    const auto& not_finite = evidence.not_finite;
+    std::vector<Finding> vertices;
+    for (std::size_t i = 0; i < not_finite.size(); ++i) {
+      const auto& [vertex, tet] = not_finite[i];
+      if (i == 0 || vertex != not_finite[i - 1].first) vertices.push_back({.vertices = {vertex}});
+      std::vector<Index>& tets = vertices.back().tets;
+      if (tets.empty() || tets.back() != tet) tets.push_back(tet);
+    }
+    record[Check::finite_coordinates] = Suspects::complete(std::move(vertices));
+    record[Check::finite_coordinates].describe = [&mesh](std::size_t, Finding& finding) {
+      finding.what = "its coordinates are not finite: " + place(mesh.points[finding.vertices[0]]);
+    };
   }
-  if (j.wants(Check::repeated_vertex))
-    j[Check::repeated_vertex] = {
-        repeating.size(), [=](std::size_t i) { return Finding{.tets = {repeating[i]}}; },
-        [=, &mesh](std::size_t i, Finding& finding) {
-          std::array<Index, 4> tet = mesh.tets[repeating[i]];
-          std::sort(tet.begin(), tet.end());
-          for (int k = 1; k < 4; ++k)
-            if (tet[k] == tet[k - 1] && (finding.vertices.empty() || finding.vertices.back() != tet[k]))
-              finding.vertices.push_back(tet[k]);
-          finding.what = "names a point more than once";
-        }};
-  if (j.wants(Check::duplicate_point) || j.wants(Check::crack)) j.same_place = equal_points(mesh.points);
-  if (j.wants(Check::duplicate_point)) {
-    j[Check::duplicate_point] = {
-        j.same_place.size(), [&j](std::size_t i) { return Finding{.vertices = j.same_place[i]}; },
-        [&mesh](std::size_t, Finding& finding) {
-          finding.point = mesh.points[finding.vertices[0]];
-          finding.what = fmt::format("{} points with the same coordinates", finding.vertices.size());
-        }};
+  if (record.wants(Check::repeated_vertex))
+    record[Check::repeated_vertex] = {
+        .count = evidence.repeating.size(),
+        .finding = [&](std::size_t i) { return Finding{.tets = {evidence.repeating[i]}}; },
+        .describe =
+            [&mesh](std::size_t, Finding& finding) {
+              std::array<Index, 4> tet = mesh.tets[finding.tets[0]];
+              std::sort(tet.begin(), tet.end());
+              for (int k = 1; k < 4; ++k)
+                if (tet[k] == tet[k - 1] && (finding.vertices.empty() || finding.vertices.back() != tet[k]))
+                  finding.vertices.push_back(tet[k]);
+              finding.what = "names a point more than once";
+            }};
+  if (record.wants(Check::duplicate_point))
+    record[Check::duplicate_point] = {
+        .count = evidence.same_place.size(),
+        .finding = [&](std::size_t i) { return Finding{.vertices = evidence.same_place[i]}; },
+        .describe =
+            [&mesh](std::size_t, Finding& finding) {
+              finding.point = mesh.points[finding.vertices[0]];
+              finding.what = fmt::format("{} points with the same coordinates", finding.vertices.size());
+            }};
+  if (!unjudged.points_known) {
+    record.leave_out({Check::unused_point});
+    record.report.notes.push_back(
+        "unused points were not looked for: elements that were not read may use them");
   }
-  if (j.wants(Check::unused_point)) {
+  if (record.wants(Check::unused_point)) {
     std::vector<std::uint8_t> used(mesh.points.size(), 0);
     for (const auto& tet : mesh.tets)
       for (const Index v : tet)
         if (in_range(v)) used[v] = 1;
+    for (const Index v : unjudged.points)
+      if (in_range(v)) used[v] = 1;
     std::vector<Index> unused;
     for (Index v = 0; v < points; ++v)
       if (!used[v]) unused.push_back(v);
     const std::size_t count = unused.size();
-    j[Check::unused_point] = {
-        count, [unused = std::move(unused)](std::size_t i) { return Finding{.vertices = {unused[i]}}; },
-        [](std::size_t, Finding& finding) { finding.what = "belongs to no tetrahedron"; }};
+    record[Check::unused_point] = {
+        .count = count,
+        .finding = [unused = std::move(unused)](std::size_t i) { return Finding{.vertices = {unused[i]}}; },
+        .describe = [](std::size_t, Finding& finding) { finding.what = "belongs to no tetrahedron"; }};
   }
 }
 

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary's components against the surface's, one by one.
+// Compares the boundary's components with the surface's, one by one.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 
 #include "verify/checks/surface_comparison.hpp"
-#include "verify/mesh/mesh_volumes.hpp"
 #include "verify/triangles/winding.hpp"
 
 namespace tetproof::verify {
 namespace {
 
-constexpr std::size_t most_samples = 64;  // faces of a sheet that are asked for the nearest triangle
+constexpr std::size_t most_samples = 64;  // faces of a sheet whose nearest triangle is searched for
 
 // A sheet of the boundary that is not the mesh's own.
 struct Part {
   Index sheet;
-  Index face;              // its first one, in the comparison
-  std::int64_t component;  // of the surface: the one that most of its faces are nearest to
+  Index face;              // its first face in the comparison
+  std::int64_t component;  // the surface's component that most of its faces are nearest to
 };
 
 std::vector<Part> parts_of(const Comparison& c) {
@@ -43,10 +42,12 @@ std::vector<Part> parts_of(const Comparison& c) {
 
 }  // namespace
 
-void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& c) {
+void check_topology(const Comparison& c, Record& record) {
+  const MeshVolumes& volumes = c.judged_mesh.volumes;
+  const Boundary& boundary = c.judged_mesh.boundary;
   const std::vector<SurfaceComponent>& components = c.judged.report.components;
-  const std::vector<Sheet>& sheets = j.boundary.sheets.sheets;
-  const bool outside = j.options.region == Region::outside;
+  const std::vector<Sheet>& sheets = boundary.sheets.sheets;
+  const bool outside = c.judged_mesh.options.region == Region::outside;
   const std::vector<Part> parts = parts_of(c);
   std::vector<Finding> differences;
   const auto differs = [&](Finding finding, std::string what) {
@@ -57,13 +58,13 @@ void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& 
     return fmt::format("the surface's component {} (triangle {} and {} more)", component,
                        components[component].first_triangle, components[component].triangles - 1);
   };
-  // Seen from outside the solid, its cavities point outward.
+  // In a mesh around the solid, the boundary at a cavity of the solid encloses a positive volume.
   const auto is_cavity = [&](const Part& part) {
     return (volumes.sets.sign(static_cast<std::size_t>(part.sheet)) < 0) != outside;
   };
 
-  // Its partner is, of the sheets near a component, one that encloses as much as it does, a cavity or not;
-  // of those the one with the most faces.
+  // The partner of a component is one of the sheets near it: a cavity if the component is one, and of those
+  // the sheet with the most faces.
   std::vector<const Part*> partner(components.size(), nullptr);
   const auto better = [&](const Part& part, const Part& than) {
     const bool cavity = components[static_cast<std::size_t>(part.component)].depth % 2 == 1;
@@ -96,7 +97,8 @@ void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& 
     }
 
   std::vector<int> depths;
-  if (paired) depths = nesting_depths(j.mesh.points, j.boundary.boundary_triangles(), j.boundary.sheets);
+  if (paired)
+    depths = nesting_depths(c.judged_mesh.mesh.points, boundary.boundary_triangles(), boundary.sheets);
   for (std::size_t component = 0; component < components.size(); ++component) {
     if (!partner[component]) continue;
     const Part& part = *partner[component];
@@ -119,10 +121,7 @@ void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& 
                           outside ? " (without the outer boundary)" : "", name(component),
                           components[component].depth));
   }
-  const std::size_t count = differences.size();
-  j[Check::topology] = {.count = count,
-                        .finding = [differences](std::size_t i) { return differences[i]; },
-                        .describe = [](std::size_t, Finding&) {}};
+  record[Check::topology] = Suspects::complete(std::move(differences));
 }
 
 }  // namespace tetproof::verify

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/checks/suspects.hpp"
+#include "verify/checks/root_causes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace tetproof::verify {
 namespace {
 
-using Set = std::uint32_t;  // of checks, one bit each
+using Set = std::uint32_t;  // a set of checks, one bit for each
 constexpr Set set() {
   return 0;
 }
@@ -16,13 +17,16 @@ constexpr Set set(Check check, More... more) {
   return Set{1} << static_cast<int>(check) | set(more...);
 }
 
-constexpr Set unknown = set(Check::index_range, Check::repeated_vertex);  // some of its vertices are
-constexpr Set dropped = unknown | set(Check::finite_coordinates);
+static_assert(check_count <= 32, "a set has a bit for each check");
+
+// Tetrahedra that miss vertices, and tetrahedra that take no part in what follows.
+constexpr Set without_vertices = set(Check::index_range, Check::repeated_vertex);
+constexpr Set excluded = without_vertices | set(Check::finite_coordinates);
 constexpr Set unmatched = set(Check::face_shared_thrice, Check::face_orientation);
 constexpr Set turned = set(Check::inverted, Check::flat);
 constexpr Set misplaced = turned | set(Check::duplicate_tet);
 
-// What can cause a finding of a check: if they share a tetrahedron, two vertices, or one.
+// The checks whose findings can cause a finding: if the two share a tetrahedron, two vertices, or one vertex.
 struct Causes {
   Set by_tet = 0, by_edge = 0, by_vertex = 0;
 };
@@ -34,14 +38,14 @@ constexpr Causes causes(Check check) {
       return {set(Check::duplicate_tet), 0, 0};
     case Check::face_orientation:
       return {misplaced, 0, 0};
-    case Check::cavity:  // what is dropped leaves one; what is wound the wrong way looks like one
-      return {misplaced | unmatched, dropped | misplaced | unmatched, unknown};
+    case Check::cavity:  // an excluded tetrahedron leaves one; one that is wound the wrong way looks like one
+      return {misplaced | unmatched, excluded | misplaced | unmatched, without_vertices};
     case Check::boundary_nonmanifold_edge:
-      return {0, dropped | misplaced | unmatched | set(Check::cavity), unknown};
+      return {0, excluded | misplaced | unmatched | set(Check::cavity), without_vertices};
     case Check::boundary_nonmanifold_vertex:
-      return {0, 0, dropped | misplaced | unmatched | set(Check::cavity)};
-    case Check::boundary_self_intersection:  // a vertex was moved; nothing meets because a tetrahedron is
-                                             // missing
+      return {0, 0, excluded | misplaced | unmatched | set(Check::cavity)};
+    // A moved vertex makes faces meet. A missing tetrahedron does not.
+    case Check::boundary_self_intersection:
       return {misplaced | unmatched, 0, turned};
     case Check::overlap:
       return {misplaced | unmatched, 0, set(Check::boundary_self_intersection)};
@@ -51,19 +55,20 @@ constexpr Causes causes(Check check) {
 }
 
 constexpr bool can_cause(Check check) {
-  constexpr Set all = dropped | misplaced | unmatched | set(Check::cavity, Check::boundary_self_intersection);
+  constexpr Set all =
+      excluded | misplaced | unmatched | set(Check::cavity, Check::boundary_self_intersection);
   return all >> static_cast<int>(check) & 1;
 }
 
-// Where earlier findings are: for each tetrahedron and each vertex the first of them. A cavity is kept apart,
-// so that it does not hide another cause at the same vertex.
+// The places of earlier findings: the first finding at each tetrahedron and at each vertex. Cavities have a
+// list of their own, so that they do not hide another cause at the same vertex.
 class Roots {
  public:
   explicit Roots(const TetMesh& mesh) : mesh_(mesh) {}
 
   struct Root {
     Check check;
-    std::size_t finding;  // position in its check's findings; beyond the reported ones: only counted
+    std::size_t finding;  // position in its check's findings; past the reported ones: only counted
   };
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   const Root& operator[](std::uint32_t number) const { return roots_[number]; }
@@ -101,7 +106,7 @@ class Roots {
     return static_cast<std::uint32_t>(roots_.size() - 1);
   }
 
-  // What touches a root from now on may follow from it.
+  // From now on, findings that touch this one may be its consequences.
   void mark(const Finding& finding, std::uint32_t root) {
     const bool cavity = roots_[root].check == Check::cavity;
     if (!cavity)
@@ -110,7 +115,8 @@ class Roots {
       claim(cavity ? cavity_at_vertex_ : at_vertex_, mesh_.points.size(), v, root);
     });
   }
-  // And what touches the faces of a finding that follows from it; of their tetrahedra, some may be innocent.
+  // So may findings that touch the faces of a consequence. Its tetrahedra are not marked: some may be
+  // innocent.
   void mark_consequence(const Finding& finding, std::uint32_t root) {
     for (const auto& face : finding.faces)
       for (const Index v : face)
@@ -152,16 +158,16 @@ void add_consequence(Finding& cause, Check check) {
 
 }  // namespace
 
-void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report) {
-  // Points in one place follow from the crack between the faces that name them.
+void separate_causes(const TetMesh& mesh, const std::vector<Suspects>& suspects, Report& report) {
+  // These come last: points in one place are consequences of the crack between the faces that name them.
   constexpr Set last = set(Check::duplicate_point, Check::unused_point);
+  // Checks whose suspects other suspects can name as their cause.
   constexpr Set named =
       set(Check::inverted, Check::face_orientation, Check::hanging_node, Check::crossed_diagonal,
           Check::crack, Check::missing_region, Check::excess_region, Check::off_surface_vertex);
   const auto is_in = [](Check check, Set checks) { return (checks >> static_cast<int>(check) & 1) != 0; };
   Roots roots(mesh);
-  std::array<std::vector<std::uint32_t>, check_count>
-      root_of;  // of each suspect that can be named as a cause
+  std::array<std::vector<std::uint32_t>, check_count> root_of;  // the root of each suspect of these checks
   const auto settle_check = [&](CheckResult& result) {
     const auto check = static_cast<std::size_t>(result.check);
     const Suspects& found = suspects[check];
@@ -188,7 +194,7 @@ void settle(const TetMesh& mesh, std::vector<Suspects>& suspects, Report& report
       if (follows) continue;
       ++result.count;
       if (result.findings.size() >= most_findings) continue;
-      found.describe(i, finding);
+      if (found.describe) found.describe(i, finding);
       result.findings.push_back(std::move(finding));
     }
     result.count += static_cast<std::int64_t>(found.beyond);

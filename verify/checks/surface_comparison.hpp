@@ -1,39 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mesh's boundary and the surface side by side: what the checks against a surface share. Internal.
+// The mesh's boundary and the surface side by side: the evidence that the checks against a surface share.
+// Internal.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "verify/checks/judgement.hpp"
+#include "verify/checks/check_against_surface.hpp"
 #include "verify/checks/surface_judgement.hpp"
 #include "verify/distance/triangle_tree.hpp"
 #include "verify/hausdorff.hpp"
+#include "verify/voxels/surface_voxels.hpp"
 
 namespace tetproof::verify {
 
-/// The boundary faces that should be the surface's: all, but with region outside those of the sheets that are
-/// the mesh's own outer boundary. The trees are absent when doubles cannot measure the common box.
+/// The boundary faces that should lie on the surface, and a search tree for either side. With region outside,
+/// the sheets that are the mesh's own outer boundary are left out.
 struct Comparison {
+  const JudgedMesh& judged_mesh;
   const TriangleSurface& surface;
   const SurfaceJudgement& judged;
-  double allowed = 0;  ///< distance [length]
-  std::vector<Triangle> faces{};
-  std::vector<FaceId> ids{};    ///< of `faces`
-  std::vector<Index> sheets{};  ///< of `faces`, in the boundary's sheets
+  double allowed = 0;             ///< distance [length]
+  std::vector<Triangle> faces{};  ///< vertices of the mesh
+  std::vector<FaceId> ids{};      ///< of `faces`
+  std::vector<Index> sheets{};    ///< of `faces`: their sheets of the boundary
+  /// Absent when doubles cannot measure the box of mesh and surface.
   std::optional<TriangleTree> mesh_tree{}, surface_tree{};
-  /// For each face a triangle of the surface that is nearest to its centroid, and the other way round; empty
-  /// if the distance was not asked for.
-  std::vector<Index> nearest_triangle{}, nearest_face{};
-  std::optional<DirectedDistance> to_surface{}, to_mesh{};
-  /// What off-surface-vertex found, in its order, and the missing or excess region at each; the largest
-  /// region.
-  std::vector<Index> off_vertices{};
-  std::vector<std::optional<Cause>> region_at_off_vertex{};
-  std::optional<Cause> region{};
 
-  Comparison(const Judgement& j, const TriangleSurface& surface, const SurfaceJudgement& judged,
-             const std::vector<int>& own);
+  /// `own`: 1 for the sheets of the boundary that are the mesh's own.
+  Comparison(const JudgedMesh& mesh, const JudgedSurface& surface, const std::vector<int>& own);
   // The trees refer to `faces`.
   Comparison(const Comparison&) = delete;
   Comparison& operator=(const Comparison&) = delete;
@@ -41,13 +36,39 @@ struct Comparison {
   Finding at_face(Index face) const { return {.tets = {tet_of(ids[face])}, .faces = {faces[face]}}; }
 };
 
+/// A boundary vertex that is farther from the surface than allowed.
+struct OffVertex {
+  Index vertex;
+  double distance;  ///< [length], at least
+  Index nearest;    ///< triangle of the surface
+};
+
+/// The distances between boundary and surface.
+struct DistanceEvidence {
+  /// For each face the surface's triangle that is nearest to its centroid; empty if it was not searched for.
+  std::vector<Index> nearest_triangle;
+  std::optional<DirectedDistance> to_surface, to_mesh;
+  std::vector<OffVertex> off_vertices;  ///< the farthest first
+  bool undecided_vertices = false;  ///< some vertices are within the rounding error of the allowed distance
+};
+DistanceEvidence measure_distances(const Comparison& comparison, Record& record);
 /// off-surface-vertex, mesh-to-surface, surface-to-mesh.
-void check_distances(Judgement& j, Comparison& comparison);
-/// topology, of a closed boundary.
-void check_topology(Judgement& j, const MeshVolumes& volumes, const Comparison& comparison);
-/// missing-region, excess-region. VoxelRangeError where doubles cannot lay the voxels.
-void check_missing_and_excess(Judgement& j, Comparison& comparison, const std::vector<int>& own);
+void check_distances(const Comparison& comparison, const DistanceEvidence& distances, Record& record);
 /// normals.
-void check_normals(Judgement& j, const Comparison& comparison);
+void check_normals(const Comparison& comparison, const DistanceEvidence& distances, Record& record);
+/// topology, of a closed boundary.
+void check_topology(const Comparison& comparison, Record& record);
+
+/// Regions that are missing or in excess.
+struct RegionEvidence {
+  /// The region at each vertex of `DistanceEvidence::off_vertices`; empty if regions were not looked for.
+  std::vector<std::optional<Cause>> at_off_vertex;
+  std::optional<Cause> largest;
+};
+/// missing-region, excess-region. `own`: 1 for the sheets of the boundary that are the mesh's own. `voxels`:
+/// of the surface, or null. VoxelRangeError where doubles cannot lay voxels over mesh and surface.
+RegionEvidence check_missing_and_excess(const Comparison& comparison, const DistanceEvidence& distances,
+                                        const std::vector<int>& own, const SurfaceVoxels* voxels,
+                                        Record& record);
 
 }  // namespace tetproof::verify

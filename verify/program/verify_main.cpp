@@ -42,14 +42,21 @@ struct Loaded {
   TetMesh mesh;
   Numbering numbering;
   std::vector<std::int64_t> regions;
+  verify::Unjudged unjudged;
   std::vector<std::string> notes;
 };
 
 // The document, which may be many times as large, is gone before the judge starts.
 Loaded load(const std::string& path) {
   const Document document = read_document(path);
-  Loaded loaded{tet_mesh(document), numbering(document), tet_regions(document), {}};
-  if (loaded.mesh.tets.empty()) throw InputError(path + ": holds no tetrahedra");
+  Loaded loaded{
+      tet_mesh(document), numbering(document), tet_regions(document), verify::unjudged(document), {}};
+  if (loaded.mesh.tets.empty()) {
+    std::string others;
+    for (const verify::NotJudged& entry : loaded.unjudged.elements)
+      others += fmt::format("{}{} {}", others.empty() ? ", but " : ", ", entry.count, entry.what);
+    throw InputError(path + ": holds no tetrahedra" + others);
+  }
   std::size_t higher = 0;
   for (const ElementBlock& block : document.blocks) {
     const io::ElementType* type = io::element_type(block.type);
@@ -101,6 +108,7 @@ int work(const Arguments& given, const program::Common& common) {
   const auto start = std::chrono::steady_clock::now();
   Loaded loaded = load(arguments.mesh);
   arguments.options.regions = std::move(loaded.regions);
+  arguments.options.unjudged = std::move(loaded.unjudged);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   verify::Report report = judge(loaded.mesh, arguments);
   report.notes.insert(report.notes.begin(), loaded.notes.begin(), loaded.notes.end());
@@ -113,7 +121,9 @@ int work(const Arguments& given, const program::Common& common) {
     program::write_text(arguments.junit, verify::report_junit(report, arguments.mesh, loaded.numbering));
   if (common.json != "-" && arguments.junit != "-")
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
-  return verify::sound(report) ? program::sound : program::wrong;
+  return verify::sound(report)       ? program::sound
+         : verify::defective(report) ? program::wrong
+                                     : program::incomplete;
 }
 
 }  // namespace
@@ -121,8 +131,8 @@ int work(const Arguments& given, const program::Common& common) {
 int main(int argc, char** argv) {
   const program::Description description{
       "Judges a tetrahedral mesh as it is written, whoever made it: is it a valid triangulation of a solid, "
-      "decided exactly, "
-      "and does it fill the surface? Exit code 0: sound, 1: defective, 2: bad input, 3: own failure.",
+      "decided exactly, and does it fill the surface? Exit code 0: sound, 1: defective, 2: bad input, 3: own "
+      "failure, 4: nothing wrong was found, but not everything could be judged.",
       examples,
       {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}};
   return program::run(

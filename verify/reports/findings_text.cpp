@@ -68,13 +68,6 @@ std::string check_text(const CheckResult& result, const Numbering& numbering, st
   return text + "\n" + findings_text(result, numbering, most);
 }
 
-std::string verdict_text(const Report& report) {
-  std::string text = sound(report) ? "sound" : "DEFECTIVE";
-  if (!report.certificate) return text + ": no certificate, a check that it needs was skipped";
-  return text + (*report.certificate ? ": certified, the tetrahedra are a valid triangulation of a solid"
-                                     : ": no certificate");
-}
-
 std::string failure_text(const Report& report, const Numbering& numbering, std::size_t most) {
   std::string text = verdict_text(report) + "\n";
   for (const CheckResult& result : report.checks) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report as JSON. The keys are a contract.
-#include <nlohmann/json.hpp>
+// The keys are a contract: see report.schema.json.
+#include "verify/reports/report_json.hpp"
 
-#include "verify/report.hpp"
+#include "verify/reports/verdict.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -53,20 +53,10 @@ Json json(const Finding& finding, const Numbering& numbering) {
 Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
-  // The voxels' account and what is called near rest on more than exact decisions.
-  const bool exact = result.check != Check::volume_voxel && result.check != Check::missing_region &&
-                     result.check != Check::excess_region && result.check != Check::off_surface_vertex &&
-                     result.check != Check::mesh_to_surface && result.check != Check::surface_to_mesh &&
-                     result.check != Check::normals && result.check != Check::hanging_node &&
-                     result.check != Check::crossed_diagonal && result.check != Check::near_contact;
-  return {{"id", info(result.check).id},
-          {"verdict", name(result.verdict)},
-          {"exact", exact},
-          {"count", result.count},
-          {"consequences", result.consequences},
-          {"measured", or_null(result.measured)},
-          {"allowed", or_null(result.allowed)},
-          {"findings", findings}};
+  return {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
+          {"exact", info(result.check).all_exact}, {"count", result.count},
+          {"consequences", result.consequences},   {"measured", or_null(result.measured)},
+          {"allowed", or_null(result.allowed)},    {"findings", findings}};
 }
 
 Json json(const Shape& shape, bool is_mesh) {
@@ -89,7 +79,7 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 
 }  // namespace
 
-std::string report_json(const Report& report, const Numbering& numbering) {
+Json report_json_object(const Report& report, const Numbering& numbering) {
   Json checks = Json::array();
   for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
   Json regions = Json::array();
@@ -97,8 +87,12 @@ std::string report_json(const Report& report, const Numbering& numbering) {
     regions.push_back({{"tag", region.tag}});
     regions.back().update(json(region.shape, true));
   }
-  Json all = {{"verdict", sound(report) ? "sound" : "defective"},
+  Json not_judged = Json::array();
+  for (const NotJudged& entry : report.not_judged)
+    not_judged.push_back({{"what", entry.what}, {"count", entry.count}, {"why", entry.why}});
+  Json all = {{"verdict", verdict_word(report)},
               {"certificate", or_null(report.certificate)},
+              {"not_judged", not_judged},
               {"checks", checks},
               {"mesh", json(report.mesh, true)},
               {"regions", regions},
@@ -130,7 +124,15 @@ std::string report_json(const Report& report, const Numbering& numbering) {
     for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
     all["seconds"] = seconds;
   }
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all;
+}
+
+std::string json_text(const Json& object) {
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string report_json(const Report& report, const Numbering& numbering) {
+  return json_text(report_json_object(report, numbering));
 }
 
 }  // namespace tetproof::verify

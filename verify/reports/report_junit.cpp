@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report as JUnit XML, the form in which CI systems take test results. Written by hand: it is flat, and
-// what XML cannot hold at all (most control characters, bytes that are no UTF-8) must be replaced in any
-// case.
+// The report as JUnit XML, the form in which CI systems take test results. Written by hand, without a library
+// for XML: it is flat, and characters that XML cannot hold (most control characters, bytes that are no UTF-8)
+// would have to be replaced all the same.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "io/bytes/xml_text.hpp"
 #include "verify/findings_text.hpp"
+#include "verify/reports/verdict.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -23,7 +24,7 @@ std::string property(const char* name, std::string_view value) {
   return fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml_escaped(value));
 }
 
-// What a test case holds; empty: it passed, and there is nothing to say.
+// The body of a test case; empty if the check passed.
 std::string outcome(const CheckResult& result, bool has_surface, const Numbering& numbering) {
   const CheckInfo& row = info(result.check);
   switch (result.verdict) {
@@ -60,13 +61,14 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
   for (const auto& [phase, seconds] : report.seconds) total += seconds;
   const std::string time = report.seconds.empty() ? "" : fmt::format(" time=\"{:.3f}\"", total);
   const std::string counts =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}", report.checks.size(),
-                  with(Verdict::fail), with(Verdict::skipped), time);
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}",
+                  report.checks.size() + report.not_judged.size(), with(Verdict::fail),
+                  with(Verdict::skipped) + static_cast<std::ptrdiff_t>(report.not_judged.size()), time);
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuites name=\"tetproof-verify\" {}>\n", counts);
   xml += fmt::format("  <testsuite name=\"{}\" {}>\n    <properties>\n", xml_escaped(mesh), counts);
-  xml += property("verdict", sound(report) ? "sound" : "defective");
+  xml += property("verdict", verdict_word(report));
   xml += property("certificate", !report.certificate ? "unknown" : *report.certificate ? "true" : "false");
   xml += property("points", fmt::format("{}", report.mesh.points));
   xml += property("tetrahedra", fmt::format("{}", report.mesh.tets));
@@ -80,6 +82,11 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
                        info(result.check).id, inside.empty() ? "/>" : ">");
     if (!inside.empty()) xml += inside + "    </testcase>\n";
   }
+  for (const NotJudged& entry : report.not_judged)
+    xml += fmt::format(
+        "    <testcase classname=\"{}\" name=\"not judged: {}\">\n      <skipped message=\"{}\"/>\n    "
+        "</testcase>\n",
+        xml_escaped(mesh), xml_escaped(entry.what), xml_escaped(not_judged_text(entry)));
   xml += "    <system-out>" + as_text(report_text(report, numbering)) + "</system-out>\n";
   return xml + "  </testsuite>\n</testsuites>\n";
 }

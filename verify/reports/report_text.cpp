@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report for people: the verdict, what is wrong and where, then what there is.
+// The report for people: the verdict, what is wrong and where, then counts and measures.
 #include <fmt/core.h>
 
 #include "verify/findings_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The voxel account. OpenVDB keeps the voxels; its own sign (a flood fill) is wrong on cavities, so ours
-// comes from parity.
+// Lays voxels over a surface and adds them up. OpenVDB keeps the voxels. Its own sign, which a flood fill
+// decides, is wrong on cavities; ours comes from parity.
 #include "verify/voxel_volume.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "io/error.hpp"
+#include "verify/voxels/surface_voxels.hpp"
 #include "verify/voxels/voxel_lattice.hpp"
 
 namespace tetproof::verify {
@@ -20,7 +21,7 @@ namespace {
 using MaskTree = openvdb::tree::Tree4<openvdb::ValueMask, 5, 4, 3>::Type;
 using Leaf = MaskTree::LeafNodeType;
 
-// The tree of all bits that are set: leaves of 8 x 8 x 8 voxels, tiles where all 512 are set.
+// The tree of all set bits: leaves of 8 x 8 x 8 voxels, and tiles where all 512 are set.
 std::unique_ptr<const MaskTree> make_tree(const VoxelBits& bits, const VoxelLattice& lattice) {
   const auto blocks = [&](int axis) { return (lattice.size[axis] + 7) / 8; };
   auto tree = std::make_unique<MaskTree>();
@@ -103,11 +104,9 @@ VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side) 
   return lattice;
 }
 
-VoxelVolume voxel_volume(const TriangleSurface& surface, int voxels_along_longest_side) {
-  const VoxelLattice lattice = lay_voxels(surface, voxels_along_longest_side);
-  const VoxelBits inside = inside_voxels(surface, lattice);
-  const VoxelBits met = met_voxels(surface, lattice);
+namespace {
 
+VoxelVolume add_up(const VoxelLattice& lattice, const VoxelBits& inside, const VoxelBits& met) {
   VoxelVolume volume;
   volume.voxel_size = lattice.h;
   volume.voxels = lattice.size;
@@ -121,6 +120,31 @@ VoxelVolume voxel_volume(const TriangleSurface& surface, int voxels_along_longes
   volume.sets =
       std::make_shared<const VoxelSets>(VoxelSets{make_tree(inside, lattice), make_tree(met, lattice)});
   return volume;
+}
+
+}  // namespace
+
+VoxelVolume voxel_volume(const TriangleSurface& surface, int voxels_along_longest_side) {
+  const VoxelLattice lattice = lay_voxels(surface, voxels_along_longest_side);
+  return add_up(lattice, inside_voxels(surface, lattice), met_voxels(surface, lattice));
+}
+
+std::shared_ptr<const SurfaceVoxels> KeptVoxels::of(const TriangleSurface& surface,
+                                                    int voxels_along_longest_side) {
+  const std::lock_guard lock(mutex_);
+  if (voxels_ && number_ == voxels_along_longest_side) return voxels_;
+  const VoxelLattice lattice = lay_voxels(surface, voxels_along_longest_side);
+  SurfaceVoxels voxels{.lattice = lattice,
+                       .inside = inside_voxels(surface, lattice),
+                       .met = met_voxels(surface, lattice),
+                       .volume = {},
+                       .error_estimate = {}};
+  voxels.volume = add_up(lattice, voxels.inside, voxels.met);
+  if (const int half = voxels_along_longest_side / 2; half >= least_voxels)
+    voxels.error_estimate = std::abs(voxels.volume.inside - voxel_volume(surface, half).inside);
+  voxels_ = std::make_shared<const SurfaceVoxels>(std::move(voxels));
+  number_ = voxels_along_longest_side;
+  return voxels_;
 }
 
 bool is_inside(const VoxelVolume& volume, int i, int j, int k) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/checks/record.hpp"
+
+#include <fmt/core.h>
+
+#include "verify/checks/root_causes.hpp"
+
+namespace tetproof::verify {
+
+Record::Record(const Options& options, bool with_surface) {
+  wanted_.fill(options.check.empty());
+  for (const std::string& id : options.check) wanted_[static_cast<std::size_t>(check_of_id(id))] = true;
+  for (const std::string& id : options.skip) wanted_[static_cast<std::size_t>(check_of_id(id))] = false;
+  for (int i = 0; i < check_count; ++i) {
+    const auto check = static_cast<Check>(i);
+    if (info(check).needs_surface && (!with_surface || options.region == Region::none)) leave_out({check});
+    report.checks.push_back({.check = check});
+  }
+}
+
+void Record::leave_out(std::initializer_list<Check> checks) {
+  for (const Check check : checks) wanted_[static_cast<std::size_t>(check)] = false;
+}
+
+void Record::could_not_run(std::initializer_list<Check> checks, const std::string& why) {
+  std::string names;
+  std::int64_t count = 0;
+  for (const Check check : checks)
+    if (wants(check)) names += fmt::format("{}{}", count++ ? ", " : "", info(check).id);
+  if (count > 0) report.not_judged.push_back({(count == 1 ? "check " : "checks ") + names, count, why});
+  leave_out(checks);
+}
+
+void Record::settle(const TetMesh& mesh, const Options& options) {
+  separate_causes(mesh, suspects_, report);
+  const auto fails = [&](const CheckInfo& row) {
+    if (row.severity == Severity::topology)
+      return options.strict_topology || (report.surface && options.fidelity == 0);
+    return row.severity == Severity::fail &&
+           !(options.coarse && (row.check == Check::surface_to_mesh || row.check == Check::missing_region));
+  };
+  bool violated = false, open = false;
+  for (CheckResult& result : report.checks) {
+    const CheckInfo& row = info(result.check);
+    const bool held = result.count + result.consequences == 0;
+    if (row.certificate) {
+      violated = violated || !held;
+      open = open || !wants(result.check);
+    }
+    if (!wants(result.check))
+      result.verdict = Verdict::skipped;
+    else if (!held)
+      result.verdict = fails(row) ? Verdict::fail : Verdict::warning;
+    else if (result.verdict != Verdict::undecided)
+      result.verdict = Verdict::pass;
+  }
+  if (violated)
+    report.certificate = false;
+  else if (!open)
+    report.certificate = true;
+}
+
+}  // namespace tetproof::verify

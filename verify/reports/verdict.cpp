@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verdict on the whole mesh.
+#include "verify/reports/verdict.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "verify/findings_text.hpp"
+
+namespace tetproof::verify {
+
+bool defective(const Report& report) {
+  return std::any_of(report.checks.begin(), report.checks.end(),
+                     [](const CheckResult& result) { return result.verdict == Verdict::fail; });
+}
+
+bool sound(const Report& report) {
+  return !defective(report) && report.not_judged.empty();
+}
+
+const char* verdict_word(const Report& report) {
+  return defective(report) ? "defective" : sound(report) ? "sound" : "incomplete";
+}
+
+std::string not_judged_text(const NotJudged& entry) {
+  return fmt::format("{} {} ({})", entry.count, entry.what, entry.why);
+}
+
+std::string verdict_text(const Report& report) {
+  const bool incomplete = !defective(report) && !sound(report);
+  std::string text = incomplete ? "incomplete" : sound(report) ? "sound" : "DEFECTIVE";
+  if (!report.certificate)
+    text += ": no certificate, a check that it needs was skipped";
+  else if (!*report.certificate)
+    text += ": no certificate";
+  else if (incomplete)
+    text += fmt::format(": certified: {} {}", report.mesh.tets,
+                        report.mesh.tets == 1 ? "tetrahedron" : "tetrahedra");
+  else
+    text += ": certified, the tetrahedra are a valid triangulation of a solid";
+  for (std::size_t i = 0; i < report.not_judged.size(); ++i)
+    text += (i == 0 ? "; not judged: " : ", ") + not_judged_text(report.not_judged[i]);
+  return text;
+}
+
+}  // namespace tetproof::verify

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the elements of a document that are not judged.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "io/document.hpp"
+#include "io/model/element_types.hpp"
+#include "verify/verify.hpp"
+
+namespace tetproof::verify {
+namespace {
+
+std::string name_of(const ElementBlock& block) {
+  const io::ElementType* type = io::element_type(block.type);
+  switch (type ? type->shape : io::Shape::other) {
+    case io::Shape::hexahedron:
+      return "hexahedra";
+    case io::Shape::prism:
+      return "prisms";
+    case io::Shape::pyramid:
+      return "pyramids";
+    default:
+      return block.type == io::polyhedron ? "polyhedra" : fmt::format("elements of type {}", block.type);
+  }
+}
+
+}  // namespace
+
+Unjudged unjudged(const Document& document) {
+  Unjudged result{.elements = {}, .points = points_of_other_cells(document), .points_known = true};
+  for (const ElementBlock& block : document.blocks) {
+    if (!has_other_cells(block) || block.count == 0) continue;
+    const std::string what = name_of(block);
+    const auto known = std::find_if(result.elements.begin(), result.elements.end(),
+                                    [&](const NotJudged& entry) { return entry.what == what; });
+    if (known != result.elements.end())
+      known->count += static_cast<std::int64_t>(block.count);
+    else
+      result.elements.push_back({what, static_cast<std::int64_t>(block.count),
+                                 fmt::format("only tetrahedra are judged; the first is element {}",
+                                             document.element_tag(block.first))});
+  }
+  for (const Loss& loss : document.dropped) {
+    if (!loss.elements) continue;
+    result.points_known = false;
+    result.elements.push_back(
+        {loss.item, loss.count, "not read" + (loss.example.empty() ? "" : ": " + loss.example)});
+  }
+  return result;
+}
+
+}  // namespace tetproof::verify
