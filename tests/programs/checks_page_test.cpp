@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/checks/checks.md: a section for each check that there is, in their order, and examples that are what
+// verify/checks/checks.md has a section for each check, in their order, and its examples are what
 // tetproof-verify prints.
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 std::vector<std::string> page() {
-  std::ifstream file(TETPROOF_SOURCE_DIR "/verify/checks.md");
+  std::ifstream file(TETPROOF_SOURCE_DIR "/verify/checks/checks.md");
   return lines_of({std::istreambuf_iterator<char>(file), {}});
 }
 

@@ -90,9 +90,8 @@ def mutants(report):
                 broken = copy.deepcopy(report)
                 inner(broken, at)[0] = text
                 yield f"{text!r} as a rational", at, broken
-    for verdict, other in (("sound", "defective"), ("defective", "sound")):
-        if report["verdict"] == verdict:
-            yield "the other verdict", ("verdict",), {**report, "verdict": other}
+    for other in {"sound", "defective", "incomplete"} - {report["verdict"]}:
+        yield "another verdict", ("verdict",), {**report, "verdict": other}
     for i, check in enumerate(report["checks"]):
         if check["findings"]:
             broken = copy.deepcopy(report)

@@ -76,6 +76,29 @@ TEST_F(Verify, ADefectiveMesh) {
   EXPECT_GT(check(bad, "face-shared-thrice")["consequences"], 0);
 }
 
+// A cube of six tetrahedra beside a hexahedron, which holds a further tetrahedron.
+TEST_F(Verify, AMixedMeshIsIncomplete) {
+  files.write(
+      "mixed.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n16\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 1 1 1\n5 1 0 1\n"
+      "6 0 1 0\n7 0 1 1\n8 0 0 1\n9 2 0 0\n10 2 1 0\n11 2 1 1\n12 2 0 1\n13 1.3 0.3 0.3\n14 1.6 0.3 "
+      "0.3\n15 1.3 0.6 0.3\n16 1.3 0.3 0.6\n$EndNodes\n$Elements\n8\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 2 4 "
+      "5\n3 4 2 1 1 1 6 4 3\n4 4 2 1 1 1 6 7 4\n5 4 2 1 1 1 8 5 4\n6 4 2 1 1 1 8 4 7\n7 5 2 1 1 2 9 10 3 "
+      "5 12 11 4\n8 4 2 1 1 13 14 15 16\n$EndElements\n");
+  const Outcome outcome = run({"mixed.msh"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome;
+  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedra (only "
+                                     "tetrahedra are judged; the first is element 7)\n"));
+  const json mixed = report({"mixed.msh"}, 4);
+  EXPECT_EQ(mixed["verdict"], "incomplete");
+  EXPECT_EQ(mixed["certificate"], true);
+  ASSERT_EQ(mixed["not_judged"].size(), 1u);
+  EXPECT_EQ(mixed["not_judged"][0]["what"], "hexahedra");
+  EXPECT_EQ(mixed["not_judged"][0]["count"], 1);
+  EXPECT_EQ(check(mixed, "unused-point")["verdict"], "pass");
+  EXPECT_EQ(report({"cube.node"}, 0)["not_judged"], json::array());
+}
+
 TEST_F(Verify, ACrackedMesh) {
   // The first tetrahedron with four points of its own: its two inner faces are not shared.
   files.write("cracked.node",

@@ -142,6 +142,24 @@ TEST(MissingRegion, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(reports[2], reports[0]);
 }
 
+TEST(MissingRegion, ASurfaceThatIsUsedAgainGivesTheSameReports) {
+  // The first mesh has the surface's box, and so its voxels; the second and third have others.
+  const TetMesh whole = lattice_mesh({4, 4, 4});
+  const std::vector<TetMesh> meshes{lattice_mesh({4, 4, 4},
+                                                 [](Cell c) {
+                                                   return c != Cell{1, 1, 1};
+                                                 }),
+                                    lattice_mesh({6, 4, 4}), lattice_mesh({4, 4, 2}), whole};
+  const TriangleSurface surface = boundary_surface(whole);
+  const verify::JudgedSurface judged(surface);
+  for (const int voxels : {32, 20, 32})
+    for (const TetMesh& mesh : meshes) {
+      const verify::Options options{.region = Region::inside, .fidelity = 0.01, .voxels = voxels};
+      EXPECT_EQ(report_json(verify::verify(mesh, judged, options)),
+                report_json(verify::verify(mesh, surface, options)));
+    }
+}
+
 TEST(DeepVoxels, TheVolumeIsOffByNoMoreThanStated) {
   // Inside a ball-like surface, deeper than d: its shrunken copy, which lies in voxels that are sure or not.
   const TriangleSurface cube = box_surface({0.013, -0.021, 0.034}, 2);

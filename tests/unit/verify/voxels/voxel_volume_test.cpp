@@ -15,6 +15,7 @@
 #include "corpus/surfaces.hpp"
 #include "io/error.hpp"
 #include "verify/voxel_volume.hpp"
+#include "verify/voxels/surface_voxels.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -285,6 +286,19 @@ TEST(VoxelVolume, RefusesInOneLine) {
   bad = sphere;
   bad.triangles.pop_back();
   EXPECT_EQ(error_of(bad, 64).substr(0, 43), "the surface is open: a line along z at x = ");
+}
+
+TEST(VoxelVolume, KeptVoxelsAreMadeOnceAndTheSame) {
+  const TriangleSurface surface = surface_of("torus:n=800");
+  verify::KeptVoxels kept;
+  const auto voxels = kept.of(surface, 40);
+  EXPECT_EQ(kept.of(surface, 40), voxels);
+  expect_same(voxels->volume, voxel_volume(surface, 40));
+  EXPECT_EQ(voxels->error_estimate, std::abs(voxels->volume.inside - voxel_volume(surface, 20).inside));
+  const auto fewer = kept.of(surface, 3);
+  EXPECT_FALSE(fewer->error_estimate) << "half of three voxels are below the least number";
+  expect_same(fewer->volume, voxel_volume(surface, 3));
+  EXPECT_EQ(voxels->volume.inside, voxel_volume(surface, 40).inside) << "who still holds them has them";
 }
 
 TEST(VoxelVolume, OutsideTheLatticeIsNothing) {
