@@ -33,11 +33,6 @@ void read(TraceStream& stream, const Take& take) {
 
 }  // namespace
 
-TetKey sorted(std::array<int, 4> points) {
-  std::sort(points.begin(), points.end());
-  return points;
-}
-
 FirstGrid::FirstGrid(TraceStream& reference, const FirstSteps& steps)
     : steps_(steps), tolerance_(steps.tolerance()), points_(tolerance_.length) {
   read(reference, [&](const auto& record) {

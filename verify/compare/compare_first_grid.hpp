@@ -8,12 +8,9 @@
 
 #include "verify/compare/compare_first_steps.hpp"
 #include "verify/compare/trace_points.hpp"
+#include "verify/compare/trace_splits.hpp"
 
 namespace tetproof::verify {
-
-/// Four numbers of points, ascending: a tetrahedron, however it is written.
-using TetKey = std::array<int, 4>;
-TetKey sorted(std::array<int, 4> points);
 
 /// The reference's first grid, and the comparison of the other's with it.
 class FirstGrid {

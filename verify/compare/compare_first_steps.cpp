@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare/compare_first_steps.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "verify/compare/compare_settings.hpp"
+
 namespace tetproof::verify {
 namespace {
 
@@ -33,38 +38,6 @@ std::string name(const Mapped& mapped) {
 
 std::string word(char indicator) {
   return indicator == '+' ? "interior (+1)" : indicator == '-' ? "exterior (-1)" : "on the surface (0)";
-}
-
-// The settings that differ: for the sentence, and for each side.
-struct Differing {
-  std::string what, reference, other;
-};
-
-Differing differing(const Settings& a, const Settings& b, const Tolerance& tolerance) {
-  Differing all;
-  const auto compare = [&](const char* key, const auto& reference, const auto& other) {
-    bool same = reference == other;
-    if constexpr (std::is_same_v<std::decay_t<decltype(reference)>, double>)
-      same = tolerance.same(reference, other);
-    if (same) return;
-    const char* const separator = all.what.empty() ? "" : "; ";
-    all.what += fmt::format("{}{} is {} in reference, {} in other", separator, key, reference, other);
-    all.reference += fmt::format("{}{} {}", separator, key, reference);
-    all.other += fmt::format("{}{} {}", separator, key, other);
-  };
-  compare("region", a.region, b.region);
-  compare("box_scale", a.box_scale, b.box_scale);
-  compare("on_surface", a.on_surface, b.on_surface);
-  compare("diagonals", a.diagonals, b.diagonals);
-  compare("literal", a.literal, b.literal);
-  compare("p", a.p, b.p);
-  compare("curvature", a.curvature, b.curvature);
-  compare("parametric", a.parametric, b.parametric);
-  compare("improve", a.improve, b.improve);
-  if (a.improve != "none" || b.improve != "none") compare("improve_below", a.improve_below, b.improve_below);
-  compare("points", a.points, b.points);
-  compare("past_dilution", a.past_dilution, b.past_dilution);
-  return all;
 }
 
 std::string says(const Lattice& lattice) {
@@ -221,15 +194,7 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
     }
   }
 
-  if (const Differing all = differing(settings_, settings, tolerance_); !all.what.empty())
-    differences.add(Step::settings, settings_line_, settings_line, [&] {
-      const auto side = [](std::int64_t line, const std::string& says, const Settings& of) {
-        return Says{line, line ? says : "no settings record: the defaults", to_line(of)};
-      };
-      return Differences::Difference{"the settings differ: " + all.what,
-                                     side(settings_line_, all.reference, settings_),
-                                     side(settings_line, all.other, settings)};
-    });
+  compare_settings({settings_, settings_line_}, {settings, settings_line}, tolerance_, differences);
 
   const auto exactly = [](const auto&) { return false; };
   const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {

@@ -3,28 +3,15 @@
 // mapped points.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <set>
 #include <vector>
 
 #include "verify/compare/keyed_records.hpp"
+#include "verify/compare/tolerance.hpp"
 
 namespace tetproof::verify {
-
-/// What counts as the same.
-struct Tolerance {
-  double relative = 1e-9;
-  double length = 0;  ///< `relative` times the diagonal of the reference's lattice
-
-  bool same(const trace::Point& a, const trace::Point& b) const { return (a - b).norm() <= length; }
-  /// Two numbers, with the size of what they were computed from.
-  bool same(double a, double b, double scale = 0) const {
-    return a == b || std::abs(a - b) <= relative * std::max({std::abs(a), std::abs(b), std::abs(scale)});
-  }
-};
 
 /// The reference's steps (i) to (iv), and the comparison of the other's with them.
 class FirstSteps {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare/compare_insertions.hpp"
 
-#include "verify/compare/compare_splits.hpp"
+#include "verify/compare/compare_flips.hpp"
 #include "verify/compare/rounding.hpp"
 
 namespace tetproof::verify {
@@ -22,12 +22,6 @@ std::string place(const Split& split) {
   std::string text = fmt::format("in the {}", simplex[split.insertion.replaced.size() - 2]);
   for (const int i : split.insertion.replaced) text += fmt::format(" {}", short_text(split.insertion.tet[i]));
   return text;
-}
-
-std::string says(const Flip& flip) {
-  return fmt::format("{} flip of the face {} {} {} and the edge {} {}", flip.two_to_three ? "2-3" : "3-2",
-                     short_text(flip.face[0]), short_text(flip.face[1]), short_text(flip.face[2]),
-                     short_text(flip.edge[0]), short_text(flip.edge[1]));
 }
 
 class Insertions {
@@ -64,37 +58,15 @@ class Insertions {
   }
 
  private:
-  // Insertion n with its flips; nothing at the end of the insertions. `same_n`: the other trace's.
+  // Reads insertion n of one trace. `same_n`: the other trace's insertion n, if it was read already.
   std::optional<Split> next(Side side, std::int64_t n, const Split* same_n) {
-    TraceStream& stream = side == Side::reference ? reference_ : other_;
-    const auto* insertion = stream.next_is<Insertion>();
-    if (!insertion) {
-      if (stream.next() && !stream.next_is<End>()) stream.fail("insertion or end");
-      return std::nullopt;
-    }
-    if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
-    Split split{.insertion = *insertion, .line = stream.line()};
-    std::array<int, 4> corners;
-    for (int i = 0; i < 4; ++i) corners[i] = points_.number(side, insertion->tet[i]);
-    split.tet = sorted(corners);
-    for (const int i : insertion->replaced) split.replaced.push_back(corners[i]);
-    std::sort(split.replaced.begin(), split.replaced.end());
-    const auto partner = waiting_.find(split.tet);
-    if (partner != waiting_.end() && partner->second.first != side)
-      split.point = points_.insert(side, insertion->point, partner->second.second.point);
-    else
-      split.point =
-          points_.insert(side, insertion->point, same_n && same_n->tet == split.tet ? same_n->point : -1);
-    for (stream.take(); const auto* flip = stream.next_is<Flip>(); stream.take()) {
-      FlipKey key{};
-      for (int i = 0; i < 3; ++i) key[i] = points_.number(side, flip->face[i]);
-      for (int i = 0; i < 2; ++i) key[3 + i] = points_.number(side, flip->edge[i]);
-      key[5] = flip->two_to_three;
-      std::sort(key.begin(), key.begin() + 3);
-      std::sort(key.begin() + 3, key.begin() + 5);
-      split.flips.push_back({*flip, key, stream.line()});
-    }
-    return split;
+    return read_split(side == Side::reference ? reference_ : other_, side, n, points_,
+                      [&](const TetKey& tet) {
+                        const auto partner = waiting_.find(tet);
+                        if (partner != waiting_.end() && partner->second.first != side)
+                          return partner->second.second.point;
+                        return same_n && same_n->tet == tet ? same_n->point : -1;
+                      });
   }
 
   // An average error far below the mean volume is known to the rounding of volumes only.
@@ -176,16 +148,9 @@ class Insertions {
   }
 
   bool same_flips(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
-    const auto keys = [](const Split& split) {
-      std::vector<FlipKey> all;
-      for (const Flipped& flip : split.flips) all.push_back(flip.key);
-      std::sort(all.begin(), all.end());
-      return all;
-    };
-    const std::vector<FlipKey> in_a = keys(a), in_b = keys(b);
-    if (in_a == in_b) {  // perhaps in another order, which is no matter of (3.5)
-      result_.flips += static_cast<std::int64_t>(in_a.size());
-      if (in_a.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
+    if (verify::same_flips(a, b)) {  // perhaps in another order, which eq. (3.5) does not decide
+      result_.flips += static_cast<std::int64_t>(a.flips.size());
+      if (a.flips.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
       const auto [one, two] = apart(a.e_avg(), b.e_avg());
       const Flipped &last_a = a.flips.back(), &last_b = b.flips.back();
       return diverge(n, Step::average_after,
@@ -197,33 +162,10 @@ class Insertions {
       parted_at_a_tie(fmt::format("flips differ in lines {} and {}", a.line, b.line));
       return false;
     }
-    std::size_t i = 0;
-    while (i < a.flips.size() && i < b.flips.size() && a.flips[i].key == b.flips[i].key) ++i;
-    const Flipped* const one = i < a.flips.size() ? &a.flips[i] : nullptr;
-    const Flipped* const two = i < b.flips.size() ? &b.flips[i] : nullptr;
-    const auto side = [](const Flipped* flipped, std::int64_t line) {
-      return flipped ? Says{flipped->line,
-                            fmt::format("{}; smallest quality {:.6g} to {:.6g}", says(flipped->flip),
-                                        flipped->flip.quality_before, flipped->flip.quality_after),
-                            to_line(flipped->flip)}
-                     : Says{line, "no further flip"};
-    };
-    const auto short_name = [](const Flipped& flipped) {
-      const Flip& flip = flipped.flip;
-      const Point c = (flip.face[0] + flip.face[1] + flip.face[2] + flip.edge[0] + flip.edge[1]) / 5;
-      return fmt::format("makes the {} flip at ({:.4g}, {:.4g}, {:.4g})", flip.two_to_three ? "2-3" : "3-2",
-                         c.x(), c.y(), c.z());
-    };
-    const std::string what =
-        one && two ? fmt::format("insertion {}, flip {}: reference {}, other {}", n, i + 1, short_name(*one),
-                                 short_name(*two))
-        : one      ? fmt::format("insertion {}, flip {}: reference {}, other makes no further flip", n, i + 1,
-                                 short_name(*one))
-                   : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
-                                 short_name(*two));
-    const std::optional<std::string> reason = flips_tie(a, b, i, settings_, sizes_);
-    diverge(n, Step::flips, reason ? what + "; " + *reason : what, side(one, a.line), side(two, b.line));
-    if (reason) result_.verdict = TraceComparison::Verdict::tie;
+    const FlipDifference flips = first_flip_difference(n, a, b, settings_, sizes_);
+    diverge(n, Step::flips, flips.tie ? flips.what + "; " + *flips.tie : flips.what, flips.reference,
+            flips.other);
+    if (flips.tie) result_.verdict = TraceComparison::Verdict::tie;
     return false;
   }
 

@@ -69,14 +69,6 @@ void pair_wedges(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
 
 }  // namespace
 
-std::vector<Index> repeated(const std::vector<Index>& ascending) {
-  std::vector<Index> several;
-  for (std::size_t i = 1; i < ascending.size(); ++i)
-    if (ascending[i] == ascending[i - 1] && (several.empty() || several.back() != ascending[i]))
-      several.push_back(ascending[i]);
-  return several;
-}
-
 Boundary find_boundary(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
                        const FaceMatching& matching) {
   Boundary result;

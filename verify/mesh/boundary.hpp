@@ -28,7 +28,4 @@ struct Boundary {
 Boundary find_boundary(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
                        const FaceMatching& matching);
 
-/// Vertices that stand twice or more in an ascending list, each once.
-std::vector<Index> repeated(const std::vector<Index>& ascending);
-
 }  // namespace tetproof::verify

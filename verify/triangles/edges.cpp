@@ -114,4 +114,12 @@ Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>&
   return result;
 }
 
+std::vector<Index> repeated(const std::vector<Index>& ascending) {
+  std::vector<Index> several;
+  for (std::size_t i = 1; i < ascending.size(); ++i)
+    if (ascending[i] == ascending[i - 1] && (several.empty() || several.back() != ascending[i]))
+      several.push_back(ascending[i]);
+  return several;
+}
+
 }  // namespace tetproof::verify

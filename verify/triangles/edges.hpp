@@ -57,4 +57,7 @@ struct Sheets {
 Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>& mate,
                    const std::vector<std::uint8_t>& excluded = {});
 
+/// The vertices that an ascending list names twice or more, each once.
+std::vector<Index> repeated(const std::vector<Index>& ascending);
+
 }  // namespace tetproof::verify

@@ -45,16 +45,6 @@ std::string fault_of_numbers(const TriangleSurface& surface) {
   return "";
 }
 
-// Vertices with more than one fan, ascending.
-std::vector<Index> pinched(const std::vector<Index>& vertices_of_fans) {
-  std::vector<Index> several;
-  for (std::size_t i = 1; i < vertices_of_fans.size(); ++i)
-    if (vertices_of_fans[i] == vertices_of_fans[i - 1] &&
-        (several.empty() || several.back() != vertices_of_fans[i]))
-      several.push_back(vertices_of_fans[i]);
-  return several;
-}
-
 std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatching& edges,
                                  const Sheets& sheets) {
   const std::span<const Triangle> triangles = surface.triangles;
@@ -67,7 +57,7 @@ std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatch
                        plural(edges.nonmanifold.size(), "edge has", "edges have"),
                        edge_name(triangles, edges.nonmanifold.front().front()),
                        edges.nonmanifold.front().size());
-  if (const std::vector<Index> vertices = pinched(sheets.vertices_of_fans); !vertices.empty()) {
+  if (const std::vector<Index> vertices = repeated(sheets.vertices_of_fans); !vertices.empty()) {
     const Eigen::Vector3d& p = surface.vertices[vertices.front()];
     return fmt::format(
         "the surface is not manifold: {} more than one fan of triangles (first: {} at ({}, {}, {}))",
