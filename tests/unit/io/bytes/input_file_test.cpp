@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers from text against the C library, the scanner's lines and words, files and pipes.
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
