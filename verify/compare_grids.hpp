@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two grids: equal up to numbering, or what only one of them has.
+// Compares two grids: they are equal up to numbering, or each lists what only it has.
 #pragma once
 
 #include <array>
@@ -11,36 +11,36 @@
 
 namespace tetproof::verify {
 
-/// A grid as a file holds it.
+/// A grid with its file's name and numbering.
 struct NamedGrid {
   std::string file;
   TetMesh mesh;
   Numbering numbering;
 };
 
-/// What only one of two grids has; numbers are those of its file.
+/// What only one of two grids has. Numbers of points and tetrahedra are those of its file.
 struct GridSide {
   std::string file;
-  std::int64_t points = 0, tets = 0;            ///< in all
-  std::int64_t points_only = 0, tets_only = 0;  ///< only here
+  std::int64_t points = 0, tets = 0;            ///< total numbers
+  std::int64_t points_only = 0, tets_only = 0;  ///< numbers of those that only this grid has
   struct Point {
     std::int64_t number;
     Eigen::Vector3d at;
   };
   struct Tet {
     std::int64_t number;
-    std::array<Point, 4> corners;  ///< `at` is NaN for a point that does not exist
+    std::array<Point, 4> corners;  ///< `at` is NaN if the point does not exist
   };
-  std::vector<Point>
-      first_points;  ///< of those only here, at most `GridComparison::shown`, by their order in the file
-  std::vector<Tet> first_tets;
+  /// The first of the points that only this grid has, in the file's order, at most `GridComparison::shown`.
+  std::vector<Point> first_points;
+  std::vector<Tet> first_tets;  ///< likewise for the tetrahedra
 };
 
 struct GridComparison {
   static constexpr std::size_t shown = 10;
   double tolerance = 0;            ///< [length]
-  double largest_distance = 0;     ///< between matched points
-  std::int64_t shared_places = 0;  ///< places with several points in each, which are not told apart
+  double largest_distance = 0;     ///< between matched points [length]
+  std::int64_t shared_places = 0;  ///< places where both grids have several points, which are not told apart
   GridSide reference, other;
 
   bool equal() const {
@@ -48,15 +48,15 @@ struct GridComparison {
   }
 };
 
-/// Matches each point of `other` with the closest one of `reference` within `tolerance` (in diagonals of the
-/// box of the reference's tetrahedra), and tetrahedra by their four points in whatever order. What stands n
-/// times in one must stand n times in the other. Linear time but for a sort; throws InputError when points
-/// crowd within the tolerance.
+/// Matches each point of `other` with the closest point of `reference` within `tolerance`, and tetrahedra by
+/// their four points in any order. `tolerance` is in diagonals of the box of the reference's tetrahedra. What
+/// occurs n times in one grid must occur n times in the other. Takes linear time plus a sort. Throws
+/// InputError if too many points are closer together than the tolerance.
 GridComparison compare_grids(const NamedGrid& other, const NamedGrid& reference, double tolerance = 1e-9);
 
-/// For people.
+/// The result as text for people.
 std::string comparison_text(const GridComparison&);
-/// As JSON; corpus/vectors/TRACE.md describes the keys.
+/// The result as JSON. corpus/vectors/TRACE.md describes the keys.
 std::string comparison_json(const GridComparison&);
 
 }  // namespace tetproof::verify

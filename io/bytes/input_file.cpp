@@ -62,7 +62,7 @@ void InputFile::copy(std::size_t offset, std::size_t size, char* to) const {
     if (got < 0) throw InputError(fmt::format("{}: cannot read: {}", path_, std::strerror(errno)));
     if (got == 0)
       throw InputError(
-          fmt::format("{}: byte {}: the file ends here, and was longer when it was opened", path_, offset));
+          fmt::format("{}: byte {}: the file ends here, but was longer when it was opened", path_, offset));
     offset += static_cast<std::size_t>(got), to += got, size -= static_cast<std::size_t>(got);
   }
 }

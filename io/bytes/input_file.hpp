@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every reader starts from: a file in memory, and a scanner that knows where it is.
+// An input file in memory: mapped, or read from a pipe.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace tetproof {
 
-/// A whole file, memory-mapped for reading; a pipe is read into memory. Throws InputError naming the path.
+/// A whole file, memory-mapped for reading. A pipe is read into memory. Throws InputError with the path if
+/// the file cannot be read.
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
@@ -18,9 +19,9 @@ class InputFile {
 
   const std::string& path() const { return path_; }
   std::string_view bytes() const { return bytes_; }
-  /// Copies bytes that the file has, as several threads may do at once.
+  /// Copies `size` bytes from `offset`, which the file must have. Several threads may copy at once.
   void copy(std::size_t offset, std::size_t size, char* to) const;
-  /// Whether `copy` reads from the file, and not from a copy in memory.
+  /// Whether `copy` reads from the file; otherwise it reads from memory.
   bool in_file() const { return file_ >= 0; }
 
  private:
@@ -30,9 +31,9 @@ class InputFile {
   int file_ = -1;
 };
 
-/// Bytes of which long runs are wanted. From a file these are better copied piece by piece, into memory that
-/// is used again, than looked at in the map: that costs a fault for every few pages, which take longer than
-/// the copy, and the file's size of resident memory.
+/// Bytes that are read in long runs. If they are in a file, it is better to copy them piece by piece into
+/// memory that is reused than to read the map: the map costs a page fault for every few pages, which takes
+/// longer than the copy, and resident memory of the file's size.
 struct Source {
   Source(std::string_view all) : bytes(all) {}
   Source(const InputFile& all) : bytes(all.bytes()), file(all.in_file() ? &all : nullptr) {}

@@ -19,7 +19,7 @@ bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
 
-// What a message shows of a word: printable, and not a page of it.
+// A word as a message shows it: printable and short.
 std::string shown(std::string_view found) {
   if (found.empty()) return "the end of the file";
   std::string text = "'";
@@ -114,7 +114,7 @@ std::int64_t Scanner::integer_in_line(const char* expected, char comment) {
 
 std::int64_t Scanner::count(const char* expected, std::size_t least_bytes_each, char comment) {
   const std::int64_t value = integer(expected, comment);
-  const std::size_t most = remaining() / least_bytes_each + 1;  // the last one may lack its line end
+  const std::size_t most = remaining() / least_bytes_each + 1;  // the last item may lack its line end
   if (value < 0) fail_in_line(fmt::format("expected {}, found {}", expected, value));
   if (static_cast<std::size_t>(value) > most)
     fail_in_line(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value,
@@ -148,14 +148,14 @@ bool parse_real(std::string_view text, double& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size()) return true;
   if (error == std::errc::invalid_argument) return false;
-  // Over- and underflow, which from_chars leaves undecided, and Fortran's D exponents.
+  // Handle overflow and underflow, for which from_chars gives no value, and Fortran's D exponents.
   std::string plain(text);
   for (char& c : plain)
     if (c == 'd' || c == 'D') c = 'e';
   const auto again = std::from_chars(plain.data(), plain.data() + plain.size(), value);
   if (again.ptr != plain.data() + plain.size()) return false;
-  static const locale_t decimal_point =
-      ::newlocale(LC_ALL_MASK, "C", nullptr);  // whatever the process has set
+  // A point is the decimal separator, whatever locale the process has set.
+  static const locale_t decimal_point = ::newlocale(LC_ALL_MASK, "C", nullptr);
   if (again.ec == std::errc::result_out_of_range) value = ::strtod_l(plain.c_str(), nullptr, decimal_point);
   return true;
 }

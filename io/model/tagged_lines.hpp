@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long runs of lines that begin with a tag, read by several threads.
+// Reads long runs of lines that begin with a tag, by several threads.
 #pragma once
 
 #include "io/bytes/plain_lines.hpp"
@@ -7,8 +7,8 @@
 
 namespace tetproof::io {
 
-/// The same for lines that begin with a tag, which is added to `tags` as the one at `position` + i. None are
-/// added if any line was not plain.
+/// Like `read_plain_lines`, for lines that begin with a tag. The tag of line i becomes the one at `position`
+/// + i of `tags`. If a line is not plain, no tag is added.
 template <class Read>
 std::optional<std::size_t> read_tagged_lines(const Source& text, std::size_t offset, std::size_t count,
                                              Tags& tags, std::size_t position, const Read& read) {

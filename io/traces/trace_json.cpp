@@ -16,9 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int deepest = 16;  // of nested brackets: tets need three
+constexpr int deepest = 16;  // levels of nested brackets; tetrahedra need three
 
-// What a message shows of a value: printable and short, however large or deep it is.
+// A value as a message shows it: printable and short, however large or deep the value is.
 std::string shown(const json& value, int depth = 0) {
   if (value.is_array() || value.is_object()) {
     if (depth == 2) return value.is_array() ? "[...]" : "{...}";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line of a trace as a JSON object, and the values of its keys.
+// One line of a trace as a JSON object, and its values with their types. Not installed.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace tetproof::trace {
 
-/// Parses one line. Not installed.
+/// Parses one line.
 class JsonLine {
  public:
   /// `place`: "FILE:LINE". Throws InputError for a line that is not a JSON object with a string "record".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a trace, line by line.
+// Reads a trace line by line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t longest_line = 8 << 20;  // bytes; the indicators of four million vertices in a row
 
-// What the types alone do not say.
+// Checks the conditions that the types alone do not express.
 template <class R>
 void check(const R& r, const Fields& fields) {
   if constexpr (std::is_same_v<R, Indicators>) {
@@ -73,7 +73,7 @@ bool Reader::read_line() {
   text_.clear();
   char part[1 << 14];
   for (;;) {
-    file_.getline(part, sizeof part);  // of a longer line it takes what fits, and fails
+    file_.getline(part, sizeof part);  // if the line is longer, this reads what fits and fails
     const bool whole = !file_.fail();
     text_.append(part, file_.gcount() - (whole && !file_.eof() ? 1 : 0));
     if (file_.bad()) throw InputError(fmt::format("{}: cannot read: {}", path_, std::strerror(errno)));

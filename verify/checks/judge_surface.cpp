@@ -90,7 +90,7 @@ std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate&
   }
   if (twice > 0)
     return fmt::format("{} twice (first: {} and {})",
-                       plural(twice, "triangle is there", "triangles are there"),
+                       plural(twice, "triangle is listed", "triangles are listed"),
                        triangle_name(surface, first), edges.mate[3 * first] / 3);
   const Intersections meetings = self_intersections(surface.vertices, surface.triangles, {}, 1);
   if (meetings.count > 0)
@@ -107,7 +107,7 @@ std::string component_name(const SurfaceReport& report, std::size_t i) {
                      c.volume);
 }
 
-// Orientation and nesting of the components: volumes, depths, and whether they agree on what is inside.
+// Judges the components: their volumes and depths, and whether their orientations agree on what is inside.
 void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
   SurfaceReport& report = judgement.report;
   const std::size_t n = sheets.sheets.size();
@@ -131,7 +131,7 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
   }
   report.volume = volumes.weighted_sum(weights);
 
-  std::array<std::vector<std::size_t>, 2> outward, inward;  // by the parity of the depth
+  std::array<std::vector<std::size_t>, 2> outward, inward;  // for even and for odd depths
   for (std::size_t i = 0; i < n; ++i)
     (report.components[i].outward ? outward : inward)[depths[i] % 2].push_back(i);
   for (const int parity : {0, 1}) {
@@ -149,10 +149,10 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
   }
   if (!inward[0].empty())
     report.notes.push_back(
-        "the surface is oriented inward; what is inside is decided by parity, so nothing changes");
+        "the surface is oriented inward; parity decides what is inside, so this changes nothing");
   if (const auto& nested = inward[0].empty() ? outward[1] : inward[1]; !nested.empty())
     report.notes.push_back(
-        fmt::format("{} lies inside another and points the same way; what is inside is decided by parity: it "
+        fmt::format("{} lies inside another and is oriented like it; parity decides what is inside, so it "
                     "bounds a cavity",
                     component_name(report, nested[0])));
 }
@@ -201,7 +201,8 @@ SurfaceJudgement judge(const TriangleSurface& surface) {
     }
   report.area = area_of(surface);
 
-  // A triangle that names a vertex twice has no sides to match: whether the others close is asked without it.
+  // A triangle that names a vertex twice has no sides to match. The others are tested for closedness without
+  // it.
   std::vector<std::uint8_t> excluded;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];

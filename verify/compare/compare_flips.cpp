@@ -22,7 +22,7 @@ bool by_solid_angle(const Settings& settings) {
   return settings.improve != "aspect-ratio";
 }
 
-// By which the best flip is chosen (reading D22): of solid angles in tan(Omega/2).
+// The gain by which the best flip is chosen (reading D22). Solid angles are measured as tan(Omega/2).
 double gain(const Flip& flip, const Settings& settings) {
   const auto measure = [&](double quality) {
     return by_solid_angle(settings) ? std::tan(2 * std::numbers::pi * quality) : quality;
@@ -30,7 +30,7 @@ double gain(const Flip& flip, const Settings& settings) {
   return measure(flip.quality_after) - measure(flip.quality_before);
 }
 
-// What good qualities are of the order of: tan(Omega/2) has no unit, D/A is one over a length.
+// The magnitude of good qualities: tan(Omega/2) has no unit, D/A is one over a length.
 double healthy(const Flip& flip, const Settings& settings) {
   if (by_solid_angle(settings)) return 1;
   double longest = 0;
@@ -39,14 +39,14 @@ double healthy(const Flip& flip, const Settings& settings) {
   return 1 / longest;
 }
 
-// Up to which a gain is rounding.
+// A gain up to this size is rounding.
 double slack(const Flip& flip, const Settings& settings) {
   return tie *
          std::max({healthy(flip, settings), std::abs(flip.quality_before), std::abs(flip.quality_after)});
 }
 
-// Whether one of the flip's new tetrahedra is so thin that rounding decides if the hull is convex. Its solid
-// angle must not say otherwise; the D/A of a needle may have any size.
+// Whether one of the flip's new tetrahedra is so thin that rounding decides if the hull is convex. Not if its
+// solid angle is clearly positive. D/A gives no such hint: that of a needle may have any size.
 bool decided_by_rounding(const Flip& flip, const Settings& settings, const Magnitudes& sizes) {
   if (by_solid_angle(settings) && flip.quality_after > 1e-6) return false;
   for (int i = 0; i < 3; ++i)
@@ -64,7 +64,7 @@ std::optional<std::string> flips_tie(const Split& a, const Split& b, std::size_t
                                      const Magnitudes& sizes) {
   const Flip* const one = at < a.flips.size() ? &a.flips[at].flip : nullptr;
   const Flip* const two = at < b.flips.size() ? &b.flips[at].flip : nullptr;
-  // The one that the other side should have made: the better one, or the only one.
+  // The flip that the other side should have made: the better one, or the only one.
   const Flip& better = one && (!two || gain(*one, settings) >= gain(*two, settings)) ? *one : *two;
   const double by = better.quality_after - better.quality_before;
   if (one && two &&
@@ -75,14 +75,15 @@ std::optional<std::string> flips_tie(const Split& a, const Split& b, std::size_t
   if (gain(better, settings) < -slack(better, settings)) return std::nullopt;
   if (gain(better, settings) <= slack(better, settings))
     return fmt::format("a tie: the flip's gain of {:.3g} is rounding", by);
-  if (decided_by_rounding(better, settings, sizes)) return "decided by rounding: tetrahedra thinner than it";
+  if (decided_by_rounding(better, settings, sizes))
+    return "decided by rounding: the flip makes tetrahedra thinner than rounding";
   if (at > 0) return std::nullopt;
   double smallest = 1;
   for (const Tet& piece : pieces(a.insertion)) smallest = std::min(smallest, smallest_solid_angle(piece));
   if (std::abs(smallest - settings.improve_below) <= tie)
     return fmt::format(
-        "a tie: the smallest solid angle of the new tetrahedra is {:.6g}, just the one below "
-        "which flips are asked for",
+        "a tie: the smallest solid angle of the new tetrahedra is {:.6g}, equal to the limit below which "
+        "flips are made",
         smallest);
   return std::nullopt;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The flips that two traces make after the same insertion.
+// Compares the flips that two traces make after the same insertion.
 #pragma once
 
 #include "verify/compare/compare_splits.hpp"

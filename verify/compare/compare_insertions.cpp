@@ -9,7 +9,7 @@ namespace {
 
 using namespace trace;
 
-// `more`: what else is known of it.
+// `more`: further text, placed after the numbers.
 Says side(const Split& split, const std::string& more = "") {
   return {split.line,
           fmt::format("row {}, E'avg {}{}: {}", split.insertion.row, split.insertion.e_avg, more,
@@ -43,7 +43,7 @@ class Insertions {
 
   void run() {
     for (std::int64_t n = 1;; ++n) {
-      // The reference first: it says which points there are.
+      // The reference comes first: its points are the ones that the other's are matched with.
       const std::optional<Split> a = next(Side::reference, n, nullptr),
                                  b = next(Side::other, n, a ? &*a : nullptr);
       if (!a && !b) break;
@@ -69,12 +69,13 @@ class Insertions {
                       });
   }
 
-  // An average error far below the mean volume is known to the rounding of volumes only.
+  // The rounding error of an average error. If it is far below the mean volume, the rounding of volumes
+  // dominates.
   double rounding(double e_avg) const { return tie * std::abs(e_avg) + 1e-14 * sizes_.volume; }
 
   // False if the comparison ends here.
   bool step(std::int64_t n, const Split& a, const Split& b) {
-    // By how much the E_avg's differed before says nothing about the choice.
+    // A difference that the E_avg's had before this insertion (drift_) says nothing about the choice.
     const double difference = a.insertion.e_avg - b.insertion.e_avg;
     const double size = rounding(std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg)));
     const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift_) <= size;
@@ -89,7 +90,7 @@ class Insertions {
           fmt::format("E'avg first differs at insertion {}: {} in reference, {} in other", n, one, two));
       return false;
     }
-    // Within a tie the same splits may come in another order: each waits for its partner.
+    // Within a tie the same splits may come in another order, so each split waits for its partner.
     ++group_;
     if (!meet(n, a, Side::reference) || !meet(n, b, Side::other)) return false;
     if (waiting_.empty()) result_.reordered += group_;
@@ -102,18 +103,17 @@ class Insertions {
       waiting_.emplace(split.tet, std::pair{side, split});
       return true;
     }
-    if (found->second.first == side) {  // no trace splits a tetrahedron twice
+    if (found->second.first == side) {  // a trace cannot split a tetrahedron twice
       const TraceStream& stream = side == Side::reference ? reference_ : other_;
-      throw InputError(
-          fmt::format("{}:{}: expected a tetrahedron that is there, found the one split in line {}",
-                      stream.path(), split.line, found->second.second.line));
+      throw InputError(fmt::format("{}:{}: expected an existing tetrahedron, found the one split in line {}",
+                                   stream.path(), split.line, found->second.second.line));
     }
     const Split earlier = std::move(found->second.second);
     waiting_.erase(found);
     return side == Side::reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
   }
 
-  // Both split the same tetrahedron: also in the same way?
+  // Both split the same tetrahedron. Compares how.
   bool same_tet(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
     const std::string both =
         fmt::format("insertion {}: both split the tetrahedron at {}", n, at(a.insertion.tet));
@@ -158,7 +158,7 @@ class Insertions {
                      {last_a.line, says(last_a.flip), to_line(last_a.flip)},
                      {last_b.line, says(last_b.flip), to_line(last_b.flip)});
     }
-    if (in_a_tie) {  // the surroundings of the two splits may not have been the same
+    if (in_a_tie) {  // the tetrahedra around the two splits may have been different
       parted_at_a_tie(fmt::format("flips differ in lines {} and {}", a.line, b.line));
       return false;
     }
@@ -177,9 +177,10 @@ class Insertions {
         n, at(a.insertion.tet), a.insertion.row, at(b.insertion.tet), b.insertion.row, one, two);
   }
 
-  // Where the other one splits that tetrahedron too, its row of Table 4 there may tell what is wrong here.
+  // Looks further for the insertion at which each trace splits the other's tetrahedron. Its row of Table 4
+  // may tell what is wrong here.
   bool parted_in_choice(std::int64_t n, const Split& a, const Split& b) {
-    // The one with the larger E'avg has refused the other's split.
+    // The trace with the larger E'avg has refused the other's split.
     const bool by_rounding = refused_by_rounding(a.insertion.e_avg < b.insertion.e_avg ? a : b, sizes_);
     const auto later = [&](Side side, const Split& wanted, const char* who) {
       for (std::int64_t i = n + 1; const std::optional<Split> split = next(side, i, nullptr); ++i)
@@ -189,7 +190,7 @@ class Insertions {
     };
     std::string what = choice(n, a, b);
     if (by_rounding)
-      what += "; decided by rounding: the better split makes tetrahedra thinner than it (reading D18)";
+      what += "; decided by rounding: the better split makes tetrahedra thinner than rounding (reading D18)";
     diverge(n, Step::choice, what, side(a, later(Side::other, a, "other")),
             side(b, later(Side::reference, b, "reference")));
     if (by_rounding) result_.verdict = TraceComparison::Verdict::tie;
@@ -202,7 +203,7 @@ class Insertions {
     return false;
   }
 
-  // The tie is still open, and something is not the same in both.
+  // The traces differ while a tie is still open.
   void parted_at_a_tie(const std::string& how) {
     result_.notes.push_back(fmt::format("the tie was never closed; {}", how));
     diverge(tie_.n, Step::choice, choice(tie_.n, tie_.a, tie_.b) + ": a tie", side(tie_.a), side(tie_.b));
@@ -225,17 +226,17 @@ class Insertions {
                         at(split.insertion.tet), split.insertion.row),
             a ? side(split) : over, a ? over : side(split));
     if (!end || end->stopped != "no-gain") return;
-    const char* reason = before_ - split.insertion.e_avg <= rounding(before_)
-                             ? "a tie: E_avg falls by rounding"
-                         : refused_by_rounding(split, sizes_)
-                             ? "decided by rounding: the split makes tetrahedra thinner than it (reading D18)"
-                             : nullptr;
+    const char* reason =
+        before_ - split.insertion.e_avg <= rounding(before_) ? "a tie: E_avg falls by rounding"
+        : refused_by_rounding(split, sizes_)
+            ? "decided by rounding: the split makes tetrahedra thinner than rounding (reading D18)"
+            : nullptr;
     if (!reason) return;
     result_.verdict = TraceComparison::Verdict::tie;
     result_.what += fmt::format("; {}", reason);
   }
 
-  // Both have no more insertions.
+  // Neither trace has more insertions. Compares the ends.
   void ends() {
     const End *a = reference_.next_is<End>(), *b = other_.next_is<End>();
     if (!a && !b) return result_.notes.push_back("both traces break off, without an end record");
@@ -260,15 +261,16 @@ class Insertions {
   Magnitudes sizes_;
   TraceComparison& result_;
   double scale_ = 0;
-  double drift_ = 0;   // the difference of the E_avg's before the present insertion
-  double before_ = 0;  // the reference's E_avg there
+  double drift_ = 0;   // the difference of the E_avg's before the current insertion
+  double before_ = 0;  // the reference's E_avg before it
 
   struct Tie {
     std::int64_t n;
     Split a, b;
-  } tie_{};  // the first insertion of the present group
-  std::int64_t group_ = 0;
-  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;  // whose
+  } tie_{};                 // the first insertion of the current tie
+  std::int64_t group_ = 0;  // the number of insertions in it
+  // The splits of the current tie that have no partner yet, and whose they are.
+  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;
 };
 
 }  // namespace

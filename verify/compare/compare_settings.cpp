@@ -6,7 +6,7 @@ namespace {
 
 using namespace trace;
 
-// The settings that differ: for the sentence, and for each side.
+// The settings that differ, as text: for the whole sentence and for each side.
 struct Differing {
   std::string what, reference, other;
 };

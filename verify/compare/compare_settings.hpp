@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The settings of two runs.
+// Compares the settings of two runs.
 #pragma once
 
 #include "verify/compare/tolerance.hpp"
@@ -12,8 +12,8 @@ struct TracedSettings {
   std::int64_t line;  ///< 0: the trace has no settings record, and `settings` are the defaults
 };
 
-/// Adds one difference that lists all settings that differ. Some keys are not compared: they name the program
-/// and the surface, or say nothing about decisions.
+/// Adds one difference that lists all settings that differ. `program` and `surface` are not compared, and
+/// `improve_below` only if one of the runs improves.
 void compare_settings(const TracedSettings& reference, const TracedSettings& other,
                       const Tolerance& tolerance, Differences& differences);
 

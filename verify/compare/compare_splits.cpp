@@ -11,7 +11,8 @@ namespace {
 
 using namespace trace;
 
-double measure(const Insertion& insertion) {  // of the edge or face that holds the point
+// The size [length] of the edge or face that holds the new point: its length, or the root of twice its area.
+double measure(const Insertion& insertion) {
   const auto corner = [&](std::size_t i) { return insertion.tet[insertion.replaced[i]]; };
   if (insertion.replaced.size() == 2) return (corner(1) - corner(0)).norm();
   if (insertion.replaced.size() == 3)

@@ -37,8 +37,7 @@ struct Split {
   double e_avg() const { return flips.empty() ? insertion.e_avg : flips.back().flip.e_avg; }
 };
 
-/// The number that the other trace's insertion into a tetrahedron gave its new point; -1 if there is none
-/// yet.
+/// The number of the new point of the other trace's insertion into this tetrahedron; -1 if there is none yet.
 using PartnerPoint = std::function<int(const TetKey&)>;
 
 /// Reads insertion n with its flips; nothing at the end of the insertions. The new point gets its partner's

@@ -108,7 +108,7 @@ TEST(SurfaceFaults, WholeMessages) {
          s.triangles.push_back({6, 5, 4});
          return s;
        },
-       "1 triangle is there twice (first: 4 (4 5 6) and 5)"},
+       "1 triangle is listed twice (first: 4 (4 5 6) and 5)"},
       {"crossing itself",
        [] {
          return together(tetrahedron(), [] {
