@@ -19,9 +19,9 @@ class InputFile {
 
   const std::string& path() const { return path_; }
   std::string_view bytes() const { return bytes_; }
-  /// Copies `size` bytes from `offset`, which the file must have. Several threads may copy at once.
+  /// Copies bytes of the file into memory. Several threads may do so at once.
   void copy(std::size_t offset, std::size_t size, char* to) const;
-  /// Whether `copy` reads from the file; otherwise it reads from memory.
+  /// Whether `copy` reads from the file and not from a copy in memory.
   bool in_file() const { return file_ >= 0; }
 
  private:
@@ -31,9 +31,9 @@ class InputFile {
   int file_ = -1;
 };
 
-/// Bytes that are read in long runs. If they are in a file, it is better to copy them piece by piece into
-/// memory that is reused than to read the map: the map costs a page fault for every few pages, which takes
-/// longer than the copy, and resident memory of the file's size.
+/// Bytes of which long runs are wanted. It is better to copy a file piece by piece, into memory that is used
+/// again, than to look at it in the map: the map costs a page fault for every few pages, which takes longer
+/// than the copy, and it counts as resident memory.
 struct Source {
   Source(std::string_view all) : bytes(all) {}
   Source(const InputFile& all) : bytes(all.bytes()), file(all.in_file() ? &all : nullptr) {}
