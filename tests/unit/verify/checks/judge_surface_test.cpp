@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of surfaces: each fault with its whole message, and the real files with what their manifest says.
+// The judge of surfaces: each fault with its whole message, and the real files with the values of their
+// manifest.
 #include <gmock/gmock.h>
 
 #include <cmath>
