@@ -10,6 +10,7 @@
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"

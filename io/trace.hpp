@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The decisions of a run of the paper's method, one record each, as a file of JSON lines. The format is
-// described for implementers in corpus/vectors/TRACE.md.
+// Traces: the decisions of a run of the paper's method, as a file with one JSON record a line.
+// corpus/vectors/TRACE.md describes the format for implementers.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,15 @@
 
 namespace tetproof::trace {
 
-using Point = Eigen::Vector3d;  ///< [length]; the format names points by their coordinates, never by a number
+/// [length]. The format names points by their coordinates, never by a number.
+using Point = Eigen::Vector3d;
 using Tet = std::array<Point, 4>;          ///< in any order
 using LatticeVertex = std::array<int, 3>;  ///< i, j, k
 
-/// What was asked for. Volumes and lengths are absolute here.
+/// What the user asked for. Volumes and lengths are absolute here.
 struct Settings {
-  std::string program;  ///< who wrote the trace
-  std::string surface;  ///< the surface's file or specification, for the reader
+  std::string program;  ///< the program that wrote the trace
+  std::string surface;  ///< the surface's file or specification, for people
   std::string region = "inside";
   double box_scale = 1.2, on_surface = 1e-6;
   std::string diagonals = "lowest";
@@ -37,7 +38,7 @@ struct Settings {
 
 /// Step (i).
 struct Lattice {
-  std::array<Point, 2> box;  ///< its two extreme corners
+  std::array<Point, 2> box;  ///< the lowest and the highest corner
   std::array<int, 3> cells;
 };
 
@@ -48,34 +49,34 @@ struct Indicators {
   std::string after;    ///< after it
 };
 
-/// A lattice vertex that was taken to the surface for good (reading D4).
+/// A lattice vertex that was moved to the surface permanently (reading D4).
 struct Moved {
   LatticeVertex vertex{};
   Point point;
-  bool mended = false;  ///< because rounding had inverted a tetrahedron, not because it was near
+  bool mended = false;  ///< moved because rounding had inverted a tetrahedron, not because it was near
 };
 
-/// Step (ii): the intersection point chosen on a lattice edge between -1 and +1; one of its ends if the cut
-/// is there (reading D7).
+/// Step (ii): the intersection point chosen on a lattice edge between -1 and +1. It is one of the edge's ends
+/// if the cut is there (reading D7).
 struct Cut {
   std::array<LatticeVertex, 2> edge{};
   Point point;
 };
 
-/// Step (iv): the row of Table 2 by which each of the six tetrahedra of a cell was cut, in the order xyz,
-/// xzy, yxz, yzx, zxy, zyx; "5-" is a tetrahedron with four surface points that was not kept (reading D10).
+/// Step (iv): the row of Table 2 by which each of a cell's six tetrahedra was cut, in the order xyz, xzy,
+/// yxz, yzx, zxy, zyx. "5-" is a tetrahedron with four surface points that was not kept (reading D10).
 struct Rows {
   std::array<int, 3> cell{};
   std::array<std::string, 6> rows;
 };
 
-/// A point moved to the parametric surface (reading D12), or left where it was because a tetrahedron would
-/// have turned over.
+/// A point that was moved to the parametric surface (reading D12), or left in place because a tetrahedron
+/// would have been inverted.
 struct Mapped {
-  Point from, to;  ///< equal if it was left
+  Point from, to;  ///< equal if it was left in place
 };
 
-/// Step (v): what eqs (3.1) to (3.4) and (3.6) start from.
+/// Step (v): the values of the first grid that eqs (3.1) to (3.4) and (3.6) use, and its average error.
 struct FirstGrid {
   std::int64_t points = 0, tets = 0;
   double mean_volume = 0, v0 = 0, v1 = 0, d1 = 0;
@@ -99,19 +100,20 @@ struct Insertion {
   std::int64_t n = 0;  ///< 1 for the first
   Tet tet;             ///< the tetrahedron that is split
   std::string row;     ///< of Table 4; "0" for a tetrahedron without surface points
-  std::vector<int>
-      replaced;  ///< positions in `tet`: the corners of the edge, face or tetrahedron that holds the point
-  Point point;
-  double e_avg = 0;  ///< after it, eq. (3.5)
+  /// Positions in `tet`: the corners of the edge, face or tetrahedron that holds the new point.
+  std::vector<int> replaced;
+  Point point;       ///< the new point
+  double e_avg = 0;  ///< after the split, eq. (3.5)
 };
 
-/// Section 4: one flip, after the insertion before it in the file.
+/// Section 4: one flip. It follows the insertion before it in the file.
 struct Flip {
-  bool two_to_three = true;  ///< the face goes and the edge comes; else the other way round
+  bool two_to_three = true;  ///< the edge replaces the face; otherwise the face replaces the edge
   std::array<Point, 3> face;
   std::array<Point, 2> edge;
-  double quality_before = 0, quality_after = 0;  ///< the smallest of the set: S of 1, or D/A [1/length]
-  double e_avg = 0;                              ///< after it
+  /// The smallest quality of the tetrahedra: S as a fraction of the full solid angle, or D/A [1/length].
+  double quality_before = 0, quality_after = 0;
+  double e_avg = 0;  ///< after the flip
 };
 
 struct End {
@@ -123,11 +125,11 @@ struct End {
 using Record = std::variant<Settings, Lattice, Indicators, Moved, Cut, Rows, Mapped, FirstGrid, Weight,
                             Insertion, Flip, End>;
 
-/// One line of the file, without its line end. Doubles are written with the fewest digits that read back
-/// equal; std::logic_error for one that is not finite.
+/// The record as one line of the file, without its line end. Doubles are written with the fewest digits that
+/// read back equal. Throws std::logic_error for a double that is not finite.
 std::string to_line(const Record& record);
 
-/// What the format calls this kind of record: "first_grid".
+/// The format's name for this kind of record: "first_grid".
 const char* name_of(const Record& record);
 
 /// Reads a trace record by record.
@@ -135,11 +137,11 @@ class Reader {
  public:
   /// Throws InputError if the file cannot be opened.
   explicit Reader(const std::string& path);
-  /// The next record, nothing at the end. Unknown kinds of records, unknown keys and empty lines are skipped.
-  /// Throws InputError ("FILE:LINE: expected ..., found ...") for a line that is not a record; holds one line
-  /// at a time, and none of more than 8 MiB.
+  /// The next record; nothing at the end. Skips unknown kinds of records, unknown keys and empty lines.
+  /// Throws InputError ("FILE:LINE: expected ..., found ...") for a line that is not a record or is longer
+  /// than 8 MiB. Holds one line at a time.
   std::optional<Record> next();
-  std::int64_t line() const { return line_; }  ///< of the record read last, from 1
+  std::int64_t line() const { return line_; }  ///< the line of the record read last, from 1
   const std::string& path() const { return path_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares two grids: equal up to numbering, or with points and tetrahedra that only one of them has.
+// Compares two grids: they are equal up to numbering, or each lists what only it has.
 #pragma once
 
 #include <array>
@@ -11,36 +11,36 @@
 
 namespace tetproof::verify {
 
-/// A grid and the file that it was read from.
+/// A grid with its file's name and numbering.
 struct NamedGrid {
   std::string file;
   TetMesh mesh;
   Numbering numbering;
 };
 
-/// One of two grids that are compared, and what only it has. Numbers are those of its file.
+/// What only one of two grids has. Numbers of points and tetrahedra are those of its file.
 struct GridSide {
   std::string file;
-  std::int64_t points = 0, tets = 0;            ///< in all
-  std::int64_t points_only = 0, tets_only = 0;  ///< only here
+  std::int64_t points = 0, tets = 0;            ///< total numbers
+  std::int64_t points_only = 0, tets_only = 0;  ///< numbers of those that only this grid has
   struct Point {
     std::int64_t number;
     Eigen::Vector3d at;
   };
   struct Tet {
     std::int64_t number;
-    std::array<Point, 4> corners;  ///< `at` is NaN for a point that does not exist
+    std::array<Point, 4> corners;  ///< `at` is NaN if the point does not exist
   };
-  /// Points and tetrahedra that are only here, in the order of the file; at most `GridComparison::shown`.
+  /// The first of the points that only this grid has, in the file's order, at most `GridComparison::shown`.
   std::vector<Point> first_points;
-  std::vector<Tet> first_tets;
+  std::vector<Tet> first_tets;  ///< likewise for the tetrahedra
 };
 
 struct GridComparison {
   static constexpr std::size_t shown = 10;
   double tolerance = 0;            ///< [length]
-  double largest_distance = 0;     ///< between matched points
-  std::int64_t shared_places = 0;  ///< places where each grid has several points, which are not distinguished
+  double largest_distance = 0;     ///< between matched points [length]
+  std::int64_t shared_places = 0;  ///< places where both grids have several points, which are not told apart
   GridSide reference, other;
 
   bool equal() const {
@@ -48,15 +48,15 @@ struct GridComparison {
   }
 };
 
-/// Matches each point of `other` with the closest point of `reference` within `tolerance` (in diagonals of
-/// the box of the reference's tetrahedra), and tetrahedra by their four points in any order. A point or
-/// tetrahedron that one grid has n times, the other must have n times. Takes linear time and the time of a
-/// sort. InputError when too many points lie within the tolerance of each other.
+/// Matches each point of `other` with the closest point of `reference` within `tolerance`, and tetrahedra by
+/// their four points in any order. `tolerance` is in diagonals of the box of the reference's tetrahedra. What
+/// occurs n times in one grid must occur n times in the other. Takes linear time plus a sort. Throws
+/// InputError if too many points are closer together than the tolerance.
 GridComparison compare_grids(const NamedGrid& other, const NamedGrid& reference, double tolerance = 1e-9);
 
-/// The comparison in words.
+/// The result as text for people.
 std::string comparison_text(const GridComparison&);
-/// The comparison as JSON; corpus/vectors/TRACE.md describes the keys.
+/// The result as JSON. corpus/vectors/TRACE.md describes the keys.
 std::string comparison_json(const GridComparison&);
 
 }  // namespace tetproof::verify

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of a surface: closed, manifold, oriented, free of self-intersections; components, genus, exact
-// volume.
+// The judge of a surface: whether it is closed, manifold, oriented and free of self-intersections; its
+// components, genus and exact volume.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct SurfaceComponent {
   std::int64_t vertices = 0;
   Index first_triangle = 0;  ///< its lowest triangle
   bool outward = true;       ///< its exact signed volume is positive
-  int depth = 0;             ///< the number of other components that it lies in
+  int depth = 0;             ///< the number of other components that it lies inside
   std::int64_t genus = 0;
   double volume = 0;  ///< [length^3], signed, the exact value rounded once
 };
@@ -26,29 +26,29 @@ struct SurfaceComponent {
 struct SurfaceReport {
   std::int64_t vertices = 0, triangles = 0;
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();
-  double area = 0;  ///< [length^2], to rounding
-  /// Of the points that lie inside an odd number of components [length^3]; the exact value rounded once.
+  double area = 0;  ///< [length^2], up to rounding
+  /// [length^3] The volume of the points inside an odd number of components: the exact value, rounded once.
   double volume = 0;
-  std::vector<SurfaceComponent> components;  ///< ascending by their lowest triangle
-  std::int64_t genus = 0;                    ///< sum over the components
+  std::vector<SurfaceComponent> components;  ///< sorted by their lowest triangle
+  std::int64_t genus = 0;                    ///< the sum over the components
 
   /// Empty if the surface is usable. Otherwise one line to print after "FILE: ", with the number of faults
   /// and the first place: "the surface is open: 12 edges have one triangle (first: 17-243)". Vertices and
-  /// triangles are positions from 0. The fault is the first of these: not finite, open, non-manifold, not
-  /// oriented, degenerate, self-intersecting. Values that are computed later (components, volume) are then
-  /// absent.
+  /// triangles are positions from 0. The line names the first fault in this order: not finite, open,
+  /// non-manifold, not oriented, degenerate, self-intersecting. The values that would be computed after it
+  /// (components, volume) are then absent.
   std::string fault;
-  /// Peculiarities that are no faults: an inward orientation, a nested shell that points outward.
+  /// Remarks that are no faults: an inward orientation, a nested shell that points outward.
   std::vector<std::string> notes;
 
-  /// The number of components at odd depth, which bound cavities.
+  /// The number of components at odd depth. They bound cavities.
   std::int64_t cavities() const;
 };
 
 struct SurfaceJudgement;
 
-/// A surface with its judgement: it is judged once, and any number of meshes can be compared with it. Keeps a
-/// reference to the surface, which must outlive it.
+/// A surface with its judgement: it is judged once, and any number of meshes can be compared with it. Refers
+/// to the surface, which must outlive it.
 class JudgedSurface {
  public:
   explicit JudgedSurface(const TriangleSurface& surface);
@@ -61,7 +61,7 @@ class JudgedSurface {
   std::shared_ptr<const SurfaceJudgement> judgement_;
 };
 
-/// Judges a surface whose equal vertices are welded. All decisions are exact. The report is the same for any
+/// Judges a surface. Equal vertices must be welded. Decisions are exact; the report is the same for any
 /// number of threads.
 SurfaceReport judge_surface(const TriangleSurface& surface);
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in the bytes of a binary file, of either byte order, at any address.
+// Loads and stores numbers in either byte order, at any address.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tetproof::io {
 
-/// The number whose bytes start at `from`.
+/// The number whose bytes begin at `from`.
 template <class Number>
 Number load(const char* from, std::endian order) {
   std::array<char, sizeof(Number)> bytes;
@@ -18,7 +18,7 @@ Number load(const char* from, std::endian order) {
   return std::bit_cast<Number>(bytes);
 }
 
-/// Puts the number's bytes at `to` and returns their end.
+/// Writes the number's bytes at `to` and returns the address after them.
 template <class Number>
 char* store(char* to, Number value, std::endian order) {
   auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);

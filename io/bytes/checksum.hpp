@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CRC-32 as zlib has it, by several threads.
+// zlib's CRC-32, computed by several threads.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 namespace tetproof::io {
 
 std::uint32_t crc32_of(std::string_view bytes);
-/// Of the first `size` bytes.
+/// The checksum of the first `size` bytes.
 std::uint32_t crc32_of(const Source& bytes, std::size_t size);
-/// That of some bytes and `more` of them behind these, from those of both.
+/// The checksum of some bytes followed by `more` bytes, from the checksums of both parts.
 std::uint32_t crc32_joined(std::uint32_t of_first, std::uint32_t of_more, std::size_t more);
 
 }  // namespace tetproof::io

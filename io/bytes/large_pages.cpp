@@ -24,14 +24,14 @@ Scratch::Kept& Scratch::kept() {
 }
 
 Scratch::Scratch(std::size_t bytes) {
-  // Taken from the thread for as long as it is in use, so that work which the thread takes up meanwhile finds
-  // other memory.
+  // Take the memory from the thread while it is in use: the thread may start other work meanwhile, which must
+  // find other memory.
   if (Kept& mine = kept(); mine.size >= bytes) {
     memory_ = std::move(mine.memory);
     size_ = std::exchange(mine.size, 0);
     return;
   }
-  // Little memory in small pages: what of a large one is not needed would be resident all the same.
+  // Use small pages for little memory: the unused part of a large page would be resident, too.
   const std::size_t page = std::size_t{1} << (bytes < std::size_t{1} << 20 ? 12 : 21);
   size_ = (bytes + page - 1) / page * page;
   memory_.reset(static_cast<char*>(std::aligned_alloc(page, size_)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large arrays in large pages of memory: faulting a mesh in by pages of 4 KiB takes as long as reading it.
+// Large arrays in large memory pages. With pages of 4 KiB, the page faults for a mesh take as long as reading
+// it.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,11 @@
 
 namespace tetproof::io {
 
-/// Asks the system for large pages where this memory, not yet written to, has room for them. Costs nothing
-/// where there are none.
+/// Asks the system to use large pages for this memory, which must not have been written to yet. Costs nothing
+/// if the memory has no room for them.
 void prefer_large_pages(void* memory, std::size_t bytes);
 
-/// Room for `count` items in all.
+/// Reserves room for `count` items in total.
 template <class T>
 void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
   if (count <= items.capacity()) return;
@@ -21,15 +22,15 @@ void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
   prefer_large_pages(items.data(), items.capacity() * sizeof(T));
 }
 
-/// `count` items, each T().
+/// Resizes to `count` items; new ones are T().
 template <class T>
 void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
   reserve_in_large_pages(items, count);
   items.resize(count);
 }
 
-/// Memory for a while, in large pages if it is much; the thread keeps it for the next time that it wants so
-/// much.
+/// Temporary memory, in large pages if there is much of it. The thread keeps it and uses it again for the
+/// next Scratch that needs no more.
 class Scratch {
  public:
   explicit Scratch(std::size_t bytes);

@@ -16,10 +16,10 @@ constexpr std::size_t piece_size = std::size_t{1} << 16;
 
 struct Wave {
   std::vector<LinePiece> pieces{};
-  std::string_view text;  // what of the source is in memory
+  std::string_view text;  // the part of the source that is in memory
 };
 
-// So much of the text that its lines are about those that are wanted, but no more than fits.
+// The number of bytes that holds about the wanted lines, but no more than `most`.
 std::size_t wave_size(std::size_t lines, double bytes_each, std::size_t most) {
   const double wanted = static_cast<double>(lines) * bytes_each;
   return wanted < static_cast<double>(most)
@@ -27,7 +27,8 @@ std::size_t wave_size(std::size_t lines, double bytes_each, std::size_t most) {
              : most;
 }
 
-// The lines that are all in the text, at most `count`; the last may lack its line feed where `to_end`.
+// Cuts the wave's text into pieces of whole lines, at most `count` lines. With `to_end` the last line may
+// lack its line feed.
 void cut(Wave& wave, std::size_t first, std::size_t count, bool to_end,
          const std::function<void(std::size_t, std::size_t)>& load) {
   const std::string_view text = wave.text;
@@ -40,7 +41,7 @@ void cut(Wave& wave, std::size_t first, std::size_t count, bool to_end,
     feeds[p] = static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n'));
   });
   wave.pieces.clear();
-  std::size_t begin = 0;  // of the first line that ends in the piece
+  std::size_t begin = 0;  // where the first line that ends in the piece begins
   for (std::size_t p = 0; p < pieces && count > 0; ++p) {
     std::size_t lines = feeds[p];
     const std::string_view piece = text.substr(p * piece_size, piece_size);
@@ -76,7 +77,7 @@ std::optional<std::size_t> read_lines(const Source& source, std::size_t offset, 
       if (source.file) source.file->copy(offset + from, bytes, memory->data() + from);
     });
     if (wave.pieces.empty()) {
-      if (size == most || offset + size == all.size()) return std::nullopt;  // a line as long as that
+      if (size == most || offset + size == all.size()) return std::nullopt;  // a line is too long
       bytes_each *= 8;
       continue;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long runs of lines of plain numbers, read by several threads. What is unusual in any way is left to the
-// readers that take one word after the other, which know what to say of it.
+// Reads long runs of lines of plain numbers by several threads. Anything unusual is left to the readers that
+// take one word after the other, because they can report it.
 #pragma once
 
 #include <charconv>
@@ -10,19 +10,18 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
-#include "io/model/node_index.hpp"
 
 namespace tetproof::io {
 
-/// Fewer lines are read one word after the other.
+/// Shorter runs of lines are read one word after the other.
 inline constexpr std::size_t least_plain_lines = 1024;
 
-/// A line of numbers between blanks. Everything answers false where the line is not as plain as that.
+/// A line of numbers between blanks. Every function returns false if the line is not that plain.
 class PlainLine {
  public:
   PlainLine(const char* at, const char* end) : at_(at), end_(end) {}
 
-  /// Decimal, of at most 18 digits without leading zeros; a minus sign is plain enough.
+  /// A decimal integer of at most 18 digits without leading zeros. It may have a minus sign.
   bool integer(std::int64_t& value) {
     skip_blanks();
     const bool negative = at_ < end_ && *at_ == '-';
@@ -44,7 +43,7 @@ class PlainLine {
     return error == std::errc() && ends_word();
   }
 
-  /// That this was all of it; steps to the next line.
+  /// Whether the line has no more words. Goes to the next line.
   bool end() {
     skip_blanks();
     if (at_ < end_ && *at_ == '\r') ++at_;
@@ -65,30 +64,33 @@ class PlainLine {
   const char *at_, *end_;
 };
 
-/// Whole lines of a text.
+/// A piece of a text: some whole lines.
 struct LinePiece {
-  std::size_t number = 0;            ///< of its wave
-  std::size_t first = 0, count = 0;  ///< lines
-  std::string_view text;             ///< begins with the first of them, and has all of them
+  std::size_t number = 0;            ///< its position in its wave
+  std::size_t first = 0, count = 0;  ///< the first line's position in the run, and the number of lines
+  std::string_view text;             ///< begins with the first of these lines, and has at least all of them
 };
 
-/// What reading lines wave by wave calls. A wave is as much of the text as is in memory at once.
+/// The functions that `read_lines` calls. It reads wave by wave; a wave is the part of the text that is in
+/// memory at once.
 struct LineReader {
-  /// The lines of a wave, not empty, before any of them is read.
+  /// Called before a wave is read, with its pieces (at least one).
   std::function<void(const std::vector<LinePiece>&)> begin = [](const auto&) {};
-  /// From several threads: where the last line ends, or null where one was not plain.
+  /// Reads a piece, called from several threads. Returns the end of its last line; null if a line is not
+  /// plain.
   std::function<const char*(const LinePiece&)> read;
-  /// After all of the wave was read, and was plain; false where its lines do not fit together after all.
+  /// Called after the whole wave was read and was plain. Returns false if its lines do not fit together after
+  /// all.
   std::function<bool(const std::vector<LinePiece>&)> end = [](const auto&) { return true; };
 };
 
-/// Reads the `count` lines from `offset` on: the offset behind the last one, or none if the text has fewer or
-/// any was not plain.
+/// Reads `count` lines from `offset` on. Returns the offset after the last one; nothing if the text has fewer
+/// lines or if a line is not plain.
 std::optional<std::size_t> read_lines(const Source& text, std::size_t offset, std::size_t count,
                                       const LineReader& reader);
 
-/// Calls `read(PlainLine&, i)` for line i of `count`, from several threads; it answers false for a line that
-/// is not plain. The offset behind the last line, or none if any was not plain.
+/// Calls `read(PlainLine&, i)` for each line i of `count`, from several threads. `read` returns false if the
+/// line is not plain. Returns the offset after the last line; nothing if a line is not plain.
 template <class Read>
 std::optional<std::size_t> read_plain_lines(const Source& text, std::size_t offset, std::size_t count,
                                             const Read& read) {
@@ -101,34 +103,6 @@ std::optional<std::size_t> read_plain_lines(const Source& text, std::size_t offs
     return line.place();
   };
   return read_lines(text, offset, count, reader);
-}
-
-/// The same for lines that begin with a tag, which is added to `tags` as the one at `position` + i. None are
-/// added if any line was not plain.
-template <class Read>
-std::optional<std::size_t> read_tagged_lines(const Source& text, std::size_t offset, std::size_t count,
-                                             Tags& tags, std::size_t position, const Read& read) {
-  if (count < least_plain_lines) return std::nullopt;
-  std::vector<std::int64_t> of_wave;
-  std::size_t first = 0;
-  LineReader reader;
-  reader.begin = [&](const std::vector<LinePiece>& wave) {
-    first = wave.front().first;
-    of_wave.resize(wave.back().first + wave.back().count - first);
-  };
-  reader.read = [&](const LinePiece& piece) -> const char* {
-    PlainLine line(piece.text.data(), piece.text.data() + piece.text.size());
-    for (std::size_t i = piece.first; i < piece.first + piece.count; ++i)
-      if (!line.integer(of_wave[i - first]) || !read(line, i) || !line.end()) return nullptr;
-    return line.place();
-  };
-  reader.end = [&](const std::vector<LinePiece>&) {
-    tags.add(position + first, of_wave);
-    return true;
-  };
-  const auto behind = read_lines(text, offset, count, reader);
-  if (!behind) tags.cut(position);
-  return behind;
 }
 
 }  // namespace tetproof::io

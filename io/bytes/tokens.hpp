@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words in files: keywords in any case, and names that are a word, in which what would end it stands as % and
-// two hexadecimal digits.
+// Words in files: keywords in upper or lower case, and names encoded as one word, with %XX for characters
+// that would end the word.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace tetproof::io {
 
-/// Of letters of ASCII.
+/// Lower case for ASCII letters; other bytes stay.
 std::string lower_case(std::string_view text);
 
-/// `name` as one word: blanks, control characters, '#', a backslash, and a '%' that would be taken for such a
-/// code are encoded. `blanks`: single ones inside stay, for names that reach to the end of the line. Empty
-/// stays empty.
+/// Encodes a name as one word. Blanks, control characters, '#' and backslashes become % and two hexadecimal
+/// digits, and so does a '%' that would look like such a code. `blanks`: single blanks inside the name stay,
+/// for names that end with their line. An empty name stays empty.
 std::string encode_name(std::string_view name, bool blanks = false);
-/// The other way.
+/// The name that `encode_name` encoded.
 std::string decode_name(std::string_view word);
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Characters and references of XML.
+// Escapes text for XML and checks that XML can hold it.
 #include "io/bytes/xml_text.hpp"
 
 #include <fmt/core.h>
@@ -10,7 +10,7 @@
 namespace tetproof::io {
 namespace {
 
-// The length of the character of UTF-8 at the start of `bytes`; 0 where there is none that XML 1.0 permits.
+// The length of the UTF-8 character at the start of `bytes`; 0 if there is none that XML 1.0 permits.
 std::size_t character(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   const std::uint8_t lead = byte(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text inside of XML that is written by hand.
+// Text for XML that is written without a library.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace tetproof::io {
 
-/// Whether XML 1.0 can hold the text at all: UTF-8 without most control characters.
+/// Whether XML 1.0 can hold the text at all: it must be UTF-8 without most control characters.
 bool is_xml_text(std::string_view text);
 
-/// In an attribute line ends and tabs would become blanks, unless they are references.
+/// In an attribute, readers turn line ends and tabs into blanks unless they are written as references.
 enum class XmlLines { keep, in_attribute };
 
-/// The text with references for what XML takes for markup. What XML cannot hold becomes U+FFFD, the
-/// replacement character, byte by byte.
+/// The text with references for the characters that XML takes for markup. Each byte that XML cannot hold
+/// becomes U+FFFD, the replacement character.
 std::string xml_escaped(std::string_view text, XmlLines lines = XmlLines::in_attribute);
 
 }  // namespace tetproof::io

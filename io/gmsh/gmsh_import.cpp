@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import_process.hpp"
 #include "io/mesh_files.hpp"

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "io/model/element_types.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/text_output.hpp"
 
 namespace tetproof::io {

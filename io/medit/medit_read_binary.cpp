@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/medit/medit_content.hpp"
 #include "io/model/element_types.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/bytes/scanner.hpp"
 #include "io/medit/medit_content.hpp"
 #include "io/medit/medit_places.hpp"
 #include "io/model/element_types.hpp"

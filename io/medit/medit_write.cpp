@@ -13,7 +13,7 @@
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_places.hpp"
 #include "io/model/element_types.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -37,7 +37,7 @@ std::vector<unsigned char> uses_of_nodes(const Document& document, Shape wanted)
   return uses;
 }
 
-// Which nodes a view of `wanted` elements keeps. Empty: all.
+// Which nodes a view of the `wanted` elements keeps. Empty: all of them.
 std::vector<bool> kept_nodes(const Document& document, Shape wanted) {
   const bool all_wanted =
       std::all_of(document.blocks.begin(), document.blocks.end(), [&](const ElementBlock& block) {
@@ -54,7 +54,7 @@ std::vector<bool> kept_nodes(const Document& document, Shape wanted) {
   return kept;
 }
 
-// The wanted elements by their corners, and the points that are kept.
+// Fills in the corners of the wanted elements and the points that are kept.
 template <std::size_t Corners>
 void view(const Document& document, Shape wanted, std::vector<Eigen::Vector3d>& points,
           std::vector<std::array<Index, Corners>>& elements) {
@@ -170,7 +170,7 @@ std::vector<std::int64_t> tet_regions(const Document& document) {
       std::find_if(document.element_values.begin(), document.element_values.end(), [&](const Values& values) {
         return document.format == "tetgen" && values.name == "attributes" && !values.reals.empty();
       });
-  std::vector<std::int64_t> regions;  // empty as long as all are like the first
+  std::vector<std::int64_t> regions;  // empty as long as all are equal to the first
   std::int64_t first = 0;
   std::size_t alike = 0;
   const auto add = [&](std::int64_t region, std::size_t count) {

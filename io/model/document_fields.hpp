@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of the document's parts, one list for each, for whatever writes or reads them all.
+// Lists the fields of each part of a document, for code that writes or reads all of them.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@ namespace tetproof::io {
 template <class T, class Part>
 concept Is = std::same_as<std::remove_const_t<T>, Part>;
 
-/// Not where it stands in the document's arrays: `first` and `nodes` follow from the blocks before it.
+/// Without the block's place in the document's arrays: `first` and `nodes` follow from the blocks before it.
 void fields(Is<ElementBlock> auto& b, auto&& archive) {
   archive(b.type, b.dim, b.entity, b.groups, b.partitions, b.nodes_each, b.count, b.of_boundary);
 }
@@ -35,7 +35,7 @@ void fields(Is<GhostElement> auto& g, auto&& archive) {
 void fields(Is<PeriodicLink> auto& p, auto&& archive) {
   archive(p.dim, p.entity, p.master, p.affine, p.nodes);
 }
-/// Not the numbers themselves, `reals` and `integers`.
+/// Without the numbers themselves, `reals` and `integers`.
 void fields(Is<Values> auto& v, auto&& archive) {
   archive(v.name, v.components, v.labels, v.first, v.at, v.nodes, v.of_view, v.time, v.step, v.partition,
           v.interpolation);
@@ -67,7 +67,7 @@ void fields(Is<Column> auto& c, auto&& archive) {
 void fields(Is<Table> auto& t, auto&& archive) {
   archive(t.name, t.rows, t.columns);
 }
-/// Not its body.
+/// Without its body.
 void fields(Is<Section> auto& s, auto&& archive) {
   archive(s.name, s.format, s.binary, s.swapped, s.before_nodes);
 }

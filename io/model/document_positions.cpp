@@ -4,7 +4,7 @@
 namespace tetproof::io {
 namespace {
 
-// `items`: nodes or elements that there are.
+// `items`: the number of nodes or elements in the document.
 bool fits(const Document& d, const Values& v, std::size_t items, bool of_nodes) {
   if (v.components < 0 || (!v.reals.empty() && !v.integers.empty())) return false;
   for (const Index i : v.at)

@@ -8,8 +8,8 @@ namespace tetproof::io {
 namespace {
 
 // Type, shape, dimension, nodes, corners; sorted by type. Types whose number of nodes varies (polygons,
-// polyhedra and the borders that cut them) are not here: only the file says how many nodes each of them has.
-// `other`: no corners to speak of.
+// polyhedra and the borders that cut them) are not listed: only the file gives the number. `other`: a type
+// without meaningful corners.
 // clang-format off
 constexpr ElementType types[] = {
     {1, Shape::line, 1, 2, 2}, {2, Shape::triangle, 2, 3, 3}, {3, Shape::quadrangle, 2, 4, 4},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The element types of .msh files, by Gmsh's numbers.
+// The element types of .msh files and their numbers in Gmsh.
 #pragma once
 
 namespace tetproof::io {
@@ -21,20 +21,20 @@ struct ElementType {
   int type;  ///< Gmsh's number
   Shape shape;
   int dim;
-  int nodes;    ///< of each element
-  int corners;  ///< the first so many nodes; the others stand on edges, on faces or inside
+  int nodes;    ///< number of nodes of an element
+  int corners;  ///< number of corners, which come first; the other nodes lie on edges, on faces or inside
 };
 
-/// The type with Gmsh's number `type`; null when it is not known, or its number of nodes varies.
+/// The type with Gmsh's number `type`; null if it is unknown or if its number of nodes varies.
 const ElementType* element_type(int type);
 
 inline constexpr int point1 = 15, line2 = 1, line3 = 8, triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4,
                      triangle6 = 9, tetrahedron10 = 11;
-/// A polygon of any number of nodes; `element_type` does not know it, since a block says how many.
+/// A polygon with any number of nodes. `element_type` does not know it, because each block gives the number.
 inline constexpr int polygon = 34;
-/// Others whose number of nodes varies.
+/// Other types whose number of nodes varies.
 inline constexpr int polyhedron = 35, polygon_border = 69;
-/// Whether .msh 2 tells the number of nodes in front of them.
+/// Whether .msh 2 gives the number of nodes before the nodes of such an element.
 inline constexpr bool has_counted_nodes(int type) {
   return type == polygon || type == polyhedron || type == polygon_border;
 }

@@ -59,7 +59,7 @@ NodeIndex::NodeIndex(Document& document) : document_(document), nodes_(document.
   }
 }
 
-// The slot that holds the node with this tag, or the empty one where it would stand.
+// The slot that holds the node with this tag, or the empty slot where it would go.
 std::size_t NodeIndex::slot(std::int64_t tag) const {
   std::uint64_t mixed = static_cast<std::uint64_t>(tag) * 0x9e3779b97f4a7c15u;
   mixed = (mixed ^ mixed >> 32) * 0xd6e8feb86659fd93u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the tags that a file gave its nodes to their positions.
+// Finds the positions of nodes by the tags that a file gives them.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace tetproof::io {
 
-/// Tags collected one by one; consecutive ones, the usual case, take no memory.
+/// Collects tags one by one. Consecutive tags, the usual case, take no memory.
 class Tags {
  public:
   Tags(std::vector<std::int64_t>& tags, std::int64_t& first) : tags_(tags), first_(first) {}
 
-  /// `position`: how many were added before.
+  /// `position`: the number of tags that were added before.
   void add(std::size_t position, std::int64_t tag) {
     if (!tags_.empty())
       tags_.push_back(tag);
@@ -33,7 +33,8 @@ class Tags {
     for (const std::int64_t tag : tags) add(position++, tag);
   }
 
-  /// `count` tags that go up from `tag`; false, and none were added, where that cannot be told so shortly.
+  /// Adds `count` consecutive tags from `tag` on, if they continue the tags so far. Otherwise adds none and
+  /// returns false.
   bool add_run(std::size_t position, std::int64_t tag, std::size_t count) {
     const bool goes_on = tag == static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + position);
     if (!tags_.empty() || count == 0 || (position > 0 && !goes_on)) return false;
@@ -41,10 +42,10 @@ class Tags {
     return true;
   }
 
-  /// The place of `count` tags that the caller fills in.
+  /// Adds `count` tags, which the caller writes to the returned address.
   std::int64_t* spelled_out(std::size_t position, std::size_t count);
 
-  /// Takes back all but the first `position`.
+  /// Keeps only the first `position` tags.
   void cut(std::size_t position) {
     if (!tags_.empty()) tags_.resize(position);
   }
@@ -56,14 +57,16 @@ class Tags {
   std::int64_t& first_;
 };
 
-/// Finds nodes by their tags. Memory grows with the number of nodes, never with the largest tag.
+/// Finds nodes by their tags. The memory depends on the number of nodes, never on the largest tag.
 class NodeIndex {
  public:
-  /// `document` must outlive the index; nodes added later are not found. A tag that several nodes have stands
-  /// for the first of them: a warning if all have the same coordinates, InputError naming the file otherwise.
+  /// `document` must outlive the index. Nodes that are added later are not found. If several nodes have the
+  /// same tag, it stands for the first of them. The document gets a warning if they have the same
+  /// coordinates; otherwise InputError is thrown.
   explicit NodeIndex(Document& document);
 
-  /// The position of the node with this tag, or -1-k after entering it as `document.unknown[k]`.
+  /// The position of the node with this tag. If there is none, the tag is entered as `document.unknown[k]`
+  /// and the result is -1-k.
   Index operator()(std::int64_t tag) {
     const std::uint64_t offset = static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(least_);
     if (consecutive_) return offset < nodes_ ? static_cast<Index>(offset) : unknown(tag);
@@ -71,10 +74,11 @@ class NodeIndex {
     return find(tag);
   }
 
-  /// The same for several threads at once; negative where no node has the tag, which is not entered.
+  /// The same, but negative if no node has the tag, which is not entered. Several threads may call it at
+  /// once.
   Index known(std::int64_t tag) const { return Known(*this)(tag); }
 
-  /// The same for long loops, which find what they need of the index in registers.
+  /// The same for long loops: holds the parts of the index that they need, so that these stay in registers.
   class Known {
    public:
     explicit Known(const NodeIndex& index)

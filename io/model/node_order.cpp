@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sources: Gmsh's reference manual, "Node ordering"; VTK's class documentation (vtkQuadraticTetra and its
 // like); TetGen's manual, section 5.2.4, figure 35; Medit: what Gmsh writes.
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,8 @@
 namespace tetproof::io {
 namespace {
 
-// The nodes of an element in order: each named by the corners, in Gmsh's numbers, that it stands between.
+// The nodes of an element in the format's order. Each node is named by the corners, in Gmsh's numbers, that
+// it lies between.
 struct Nodes {
   int type;
   std::string_view nodes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of tags (physical groups, partitions) that many entities or blocks share, each kept once.
+// Stores each set of tags (physical groups, partitions) once, for the many entities and blocks that share it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class TagSets {
     for (const auto& set : sets_) known_.emplace(set, static_cast<std::int32_t>(known_.size()));
   }
 
-  /// The position of `tags` in `document.tag_sets`, which it joins if it is new.
+  /// The position of `tags` in `document.tag_sets`. Adds the set if it is new.
   std::int32_t operator()(const std::vector<std::int64_t>& tags) {
     if (tags == sets_[last_]) return last_;
     const auto [place, is_new] = known_.try_emplace(tags, static_cast<std::int32_t>(sets_.size()));

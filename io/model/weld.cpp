@@ -9,7 +9,8 @@
 namespace tetproof::io {
 namespace {
 
-// Mixes every bit of the three coordinates into every bit of the hash, so that lattices do not collide.
+// Mixes every bit of the three coordinates into every bit of the hash, so that the points of a lattice do not
+// collide.
 std::uint64_t hash(const Eigen::Vector3d& point) {
   std::uint64_t h = 0;
   for (int k = 0; k < 3; ++k) {

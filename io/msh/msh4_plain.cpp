@@ -4,8 +4,8 @@
 #include <atomic>
 
 #include "io/bytes/large_pages.hpp"
-#include "io/bytes/plain_lines.hpp"
 #include "io/bytes/plain_records.hpp"
+#include "io/model/tagged_lines.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 #include "io/model/node_index.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/msh/msh_data.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/bytes/scanner.hpp"
+
 namespace tetproof::io {
 
 void Numbers::check_count(std::int64_t value, const char* expected, std::size_t least_bytes_each) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "io/bytes/checksum.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"

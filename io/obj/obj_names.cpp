@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/surface/surface_document.hpp"
 

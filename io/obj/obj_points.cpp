@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/bytes/scanner.hpp"
 #include "io/obj/obj_statements.hpp"
 
 namespace tetproof::io {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/model/node_index.hpp"
 #include "io/obj/obj.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/model/node_index.hpp"
 #include "io/off/off.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/surface/surface_document.hpp"
 

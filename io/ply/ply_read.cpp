@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
 #include "io/model/node_index.hpp"

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/tag_sets.hpp"

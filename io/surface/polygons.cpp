@@ -13,6 +13,7 @@
 #include <string>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/model/weld.hpp"
 
 namespace tetproof::io {

@@ -13,6 +13,7 @@
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 

@@ -7,7 +7,7 @@
 #include "io/bytes/large_pages.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/surface/polygons.hpp"

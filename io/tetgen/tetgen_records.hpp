@@ -9,6 +9,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/plain_lines.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/model/node_index.hpp"
 
 namespace tetproof::io {

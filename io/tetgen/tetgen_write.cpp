@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/error.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_write_parts.hpp"

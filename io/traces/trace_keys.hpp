@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys of each kind of record, for the trace's writer and reader alike. Not installed.
+// Lists the keys of each kind of record once, for the writer and the reader of traces. Not installed.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace tetproof::trace {
 
-/// The keys of a record in the order in which they are written; `field` reads or writes each.
+/// Calls `field` for each key of a record, in the order in which they are written. `field` reads or writes
+/// the key.
 template <class R, class Fields>
 void describe(R& r, Fields& field) {
   using T = std::remove_const_t<R>;
@@ -53,7 +54,7 @@ void describe(R& r, Fields& field) {
   }
 }
 
-/// What the format calls the kinds of records, in the order of the variant.
+/// The format's names for the kinds of records, in the order of the variant.
 inline constexpr std::array<const char*, std::variant_size_v<Record>> names{
     "settings", "lattice",    "indicators", "moved",     "cut",  "rows",
     "mapped",   "first_grid", "weight",     "insertion", "flip", "end"};

@@ -8,7 +8,7 @@
 
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_mesh.hpp"

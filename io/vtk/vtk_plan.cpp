@@ -11,7 +11,7 @@
 #include <set>
 
 #include "io/model/element_types.hpp"
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 

@@ -13,6 +13,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/vtk/vtk_types.hpp"
 
 namespace tetproof::io {

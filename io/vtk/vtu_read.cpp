@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <vector>
 
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtu.hpp"

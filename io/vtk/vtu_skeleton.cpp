@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "io/bytes/scanner.hpp"
+
 namespace tetproof::io {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::reference {

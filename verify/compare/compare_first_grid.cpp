@@ -12,7 +12,7 @@ using namespace trace;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Reads the records of step (v), which come in any order.
+// Passes the records of step (v), which may come in any order, to `take`.
 template <class Take>
 void read(TraceStream& stream, const Take& take) {
   bool summary = false;
@@ -32,11 +32,6 @@ void read(TraceStream& stream, const Take& take) {
 }
 
 }  // namespace
-
-TetKey sorted(std::array<int, 4> points) {
-  std::sort(points.begin(), points.end());
-  return points;
-}
 
 FirstGrid::FirstGrid(TraceStream& reference, const FirstSteps& steps)
     : steps_(steps), tolerance_(steps.tolerance()), points_(tolerance_.length) {
@@ -75,7 +70,8 @@ Weight FirstGrid::record(const Entry& entry) const {
   return weight;
 }
 
-// The size of curvatures; of a flat surface they are rounding.
+// The magnitude of the curvatures. At least 1 / diagonal, because the curvatures of a flat surface are only
+// rounding.
 double FirstGrid::curvature_scale() const {
   return std::max(summary_ ? summary_->kappa_max.value_or(0) : 0, 1 / steps_.diagonal());
 }
@@ -102,7 +98,7 @@ void FirstGrid::compare_weight(const Entry& a, const Weight& b, std::int64_t lin
   const double kappa = b.kappa.value_or(none), largest = curvature_scale();
   compare(Step::curvature, "the absolute curvature kappa",
           std::isnan(a.kappa) ? std::isnan(kappa) : tolerance_.same(a.kappa, kappa, largest), a.kappa, kappa);
-  // Curvatures that are the same but for rounding make weights of any size.
+  // If all curvatures are equal up to rounding, the weights can have any size.
   const bool all_alike = summary_ && summary_->kappa_min && summary_->kappa_max &&
                          *summary_->kappa_max - *summary_->kappa_min <= tie * largest;
   compare(Step::weight, "the weight omega", tolerance_.same(a.omega, b.omega, 1), a.omega, b.omega,

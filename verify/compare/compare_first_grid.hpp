@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (v) of two traces: the tetrahedra of the first grid, and what eqs (3.1) to (3.4) and (3.6) make of
-// each.
+// Compares step (v) of two traces: the tetrahedra of the first grid, and their values of eqs (3.1) to (3.4)
+// and (3.6).
 #pragma once
 
 #include <optional>
@@ -8,29 +8,29 @@
 
 #include "verify/compare/compare_first_steps.hpp"
 #include "verify/compare/trace_points.hpp"
+#include "verify/compare/trace_splits.hpp"
 
 namespace tetproof::verify {
 
-/// Four numbers of points, ascending: a tetrahedron, however it is written.
-using TetKey = std::array<int, 4>;
-TetKey sorted(std::array<int, 4> points);
-
-/// The reference's first grid, and the comparison of the other's with it.
+/// The reference's first grid. Compares the other trace's first grid with it.
 class FirstGrid {
  public:
-  /// Reads up to the first insertion or the end. `steps`: the same reference's, which outlives this.
+  /// Reads the reference up to its first insertion or its end. `steps` belongs to the same reference and must
+  /// outlive this object.
   FirstGrid(TraceStream& reference, const FirstSteps& steps);
 
+  /// Reads the other trace up to the same place and adds what differs. `notes` gets what is not compared
+  /// because only one trace has it.
   void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
 
   const std::optional<trace::FirstGrid>& summary() const { return summary_; }
-  TracePoints& points() { return points_; }  ///< of the first grid, for what comes after it
+  TracePoints& points() { return points_; }  ///< the first grid's points, to which insertions add theirs
 
  private:
   struct Entry {
     std::array<int, 4> points;
     double d, kappa, omega, volume, desired, error;  // kappa is NaN without curvature
-    std::int64_t line, partner;
+    std::int64_t line, partner;                      // the partner's line in the other trace; 0: none yet
   };
   trace::Weight record(const Entry& entry) const;
   double curvature_scale() const;  ///< [1/length]

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare/compare_first_steps.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "verify/compare/compare_settings.hpp"
+
 namespace tetproof::verify {
 namespace {
 
 using namespace trace;
 
-constexpr std::array<const char*, 6> orders{"xyz", "xzy", "yxz",
-                                            "yzx", "zxy", "zyx"};  // of the axes, as `rows` has them
+// The orders of the axes that name a cell's six tetrahedra, in the order of `Rows::rows`.
+constexpr std::array<const char*, 6> orders{"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
 
 std::array<int, 6> key(const Cut& cut) {
   const auto [a, b] = std::minmax(cut.edge[0], cut.edge[1]);
@@ -35,38 +40,6 @@ std::string word(char indicator) {
   return indicator == '+' ? "interior (+1)" : indicator == '-' ? "exterior (-1)" : "on the surface (0)";
 }
 
-// The settings that differ: for the sentence, and for each side.
-struct Differing {
-  std::string what, reference, other;
-};
-
-Differing differing(const Settings& a, const Settings& b, const Tolerance& tolerance) {
-  Differing all;
-  const auto compare = [&](const char* key, const auto& reference, const auto& other) {
-    bool same = reference == other;
-    if constexpr (std::is_same_v<std::decay_t<decltype(reference)>, double>)
-      same = tolerance.same(reference, other);
-    if (same) return;
-    const char* const separator = all.what.empty() ? "" : "; ";
-    all.what += fmt::format("{}{} is {} in reference, {} in other", separator, key, reference, other);
-    all.reference += fmt::format("{}{} {}", separator, key, reference);
-    all.other += fmt::format("{}{} {}", separator, key, other);
-  };
-  compare("region", a.region, b.region);
-  compare("box_scale", a.box_scale, b.box_scale);
-  compare("on_surface", a.on_surface, b.on_surface);
-  compare("diagonals", a.diagonals, b.diagonals);
-  compare("literal", a.literal, b.literal);
-  compare("p", a.p, b.p);
-  compare("curvature", a.curvature, b.curvature);
-  compare("parametric", a.parametric, b.parametric);
-  compare("improve", a.improve, b.improve);
-  if (a.improve != "none" || b.improve != "none") compare("improve_below", a.improve_below, b.improve_below);
-  compare("points", a.points, b.points);
-  compare("past_dilution", a.past_dilution, b.past_dilution);
-  return all;
-}
-
 std::string says(const Lattice& lattice) {
   return fmt::format("{} x {} x {} cells from {} to {}", lattice.cells[0], lattice.cells[1], lattice.cells[2],
                      text(lattice.box[0]), text(lattice.box[1]));
@@ -88,8 +61,8 @@ void compare(const Rows& a, std::int64_t line, const Rows& b, std::int64_t other
 
 }  // namespace
 
-// Reads one trace's steps (i) to (iv). The lattice must come before what lies in it: points are matched by
-// its size.
+// Passes the records of one trace's steps (i) to (iv) to `take`. The lattice must come before what lies in
+// it, because its size gives the tolerance for points.
 template <class Take>
 void FirstSteps::read(TraceStream& stream, const Take& take) {
   std::int64_t settings = 0, lattice = 0;
@@ -150,11 +123,11 @@ FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.r
 void FirstSteps::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
   Settings settings;
   std::int64_t settings_line = 0;
-  // What rounding decides is only known when all has been read.
+  // These wait until all records are read, because only then it is known what rounding decides.
   Vertices vertices;
   std::vector<Waiting> indicators;
   std::vector<std::pair<Moved, std::int64_t>> moved;
-  // Points that must agree, where a record of each trace has one.
+  // Compares the points of two records that belong together.
   const auto compare_points = [&](Step step, const auto& entry, const auto& record, std::int64_t line,
                                   const Point& a, const Point& b, const std::string& why,
                                   bool by_rounding = false) {
@@ -221,15 +194,7 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
     }
   }
 
-  if (const Differing all = differing(settings_, settings, tolerance_); !all.what.empty())
-    differences.add(Step::settings, settings_line_, settings_line, [&] {
-      const auto side = [](std::int64_t line, const std::string& says, const Settings& of) {
-        return Says{line, line ? says : "no settings record: the defaults", to_line(of)};
-      };
-      return Differences::Difference{"the settings differ: " + all.what,
-                                     side(settings_line_, all.reference, settings_),
-                                     side(settings_line, all.other, settings)};
-    });
+  compare_settings({settings_, settings_line_}, {settings, settings_line}, tolerance_, differences);
 
   const auto exactly = [](const auto&) { return false; };
   const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {
@@ -259,7 +224,7 @@ Point FirstSteps::position(const LatticeVertex& vertex) const {
   return point;
 }
 
-// Cuts next to a vertex tell that the surface passes it within rounding.
+// A cut at a lattice vertex shows that the surface passes the vertex within rounding.
 void FirstSteps::note(Vertices& vertices, const Record& record) const {
   if (const auto* moved = std::get_if<Moved>(&record); moved && moved->mended)
     vertices.mended.insert(moved->vertex);
@@ -268,9 +233,8 @@ void FirstSteps::note(Vertices& vertices, const Record& record) const {
       if (tolerance_.same(position(end), cut->point)) vertices.near.insert(end);
 }
 
-// The vertices whose indicators differ. Mending starts the characterisation anew, so what it did to a vertex
-// is not compared here but where vertices are moved. `exact_only`: no tolerance takes lattice vertices within
-// rounding of the surface there, so that the last bit of the lattice decides which are on it.
+// Adds the vertices whose indicators differ. Mending starts the characterisation again, so a mended vertex is
+// compared with the moved vertices and not here.
 void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
                                     Differences& differences) const {
   for (const Waiting& row : rows) {
@@ -312,7 +276,7 @@ std::string FirstSteps::lattice_tetrahedron(const Point& point) const {
     cell[i] = static_cast<int>(std::clamp(std::floor(at), 0.0, lattice_.cells[i] - 1.0));
     inside[i] = at - cell[i];
   }
-  // The path of a tetrahedron's vertices goes along the axis of its largest coordinate first (reading D2).
+  // A tetrahedron's path of vertices first follows the axis of the point's largest coordinate (reading D2).
   std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return inside[a] > inside[b]; });
   const std::string order{"xyz"[axes[0]], "xyz"[axes[1]], "xyz"[axes[2]]};
   std::string text = fmt::format("tetrahedron {} of cell {}", order, verify::text(cell));

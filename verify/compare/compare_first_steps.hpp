@@ -1,71 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps (i) to (iv) of two traces: settings, lattice, indicators, moved vertices, cuts, rows of Table 2,
-// mapped points.
+// Compares steps (i) to (iv) of two traces: settings, lattice, indicators, moved vertices, cuts, rows of
+// Table 2, mapped points.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <set>
 #include <vector>
 
 #include "verify/compare/keyed_records.hpp"
+#include "verify/compare/tolerance.hpp"
 
 namespace tetproof::verify {
 
-/// What counts as the same.
-struct Tolerance {
-  double relative = 1e-9;
-  double length = 0;  ///< `relative` times the diagonal of the reference's lattice
-
-  bool same(const trace::Point& a, const trace::Point& b) const { return (a - b).norm() <= length; }
-  /// Two numbers, with the size of what they were computed from.
-  bool same(double a, double b, double scale = 0) const {
-    return a == b || std::abs(a - b) <= relative * std::max({std::abs(a), std::abs(b), std::abs(scale)});
-  }
-};
-
-/// The reference's steps (i) to (iv), and the comparison of the other's with them.
+/// The reference's steps (i) to (iv). Compares the other trace's steps with them.
 class FirstSteps {
  public:
-  /// Reads up to the first record of step (v).
+  /// Reads the reference up to its first record of step (v).
   FirstSteps(TraceStream& reference, double tolerance);
 
-  /// Reads the other trace as far and adds what differs. Notes say what is not compared because only one of
-  /// the two tells it.
+  /// Reads the other trace up to the same place and adds what differs. `notes` gets what is not compared
+  /// because only one trace has it.
   void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
 
-  /// "tetrahedron xyz of cell (i, j, k), row 12a of Table 2": the lattice tetrahedron of the reference that
-  /// holds a point; without the row where the reference does not tell it.
+  /// Names the reference's lattice tetrahedron that holds a point: "tetrahedron xyz of cell (i, j, k), row
+  /// 12a of Table 2". The row is missing if the reference does not give it.
   std::string lattice_tetrahedron(const trace::Point& point) const;
 
   const Tolerance& tolerance() const { return tolerance_; }
   const trace::Settings& settings() const { return settings_; }
-  double diagonal() const { return (lattice_.box[1] - lattice_.box[0]).stableNorm(); }  ///< of the lattice
-  /// The largest coordinate of the lattice's box.
+  /// The diagonal of the lattice's box [length].
+  double diagonal() const { return (lattice_.box[1] - lattice_.box[0]).stableNorm(); }
+  /// The largest absolute coordinate of the lattice's box [length].
   double magnitude() const;
 
  private:
   using IndicatorRecords = KeyedRecords<std::array<int, 2>, trace::Indicators>;
-  /// The other's indicators, which wait until all is known that explains them.
+  /// Indicators of the other trace. They are compared after all records that may explain a difference are
+  /// known.
   struct Waiting {
     const IndicatorRecords::Entry* reference;
     trace::Indicators other;
     std::int64_t line;
   };
-  /// Lattice vertices of one trace.
+  /// The lattice vertices of one trace about which rounding may decide.
   struct Vertices {
     std::set<trace::LatticeVertex> mended;
-    std::set<trace::LatticeVertex> near;  ///< a cut of one of their edges is where they are
+    std::set<trace::LatticeVertex> near;  ///< one of their edges is cut at the vertex itself
 
-    /// Whether rounding decides that it is on the surface, or was taken there.
+    /// Whether rounding decides that the vertex is on the surface, or that it was moved there.
     bool doubtful(const trace::LatticeVertex& v) const { return near.contains(v) || mended.contains(v); }
   };
 
   template <class Take>
   void read(TraceStream& stream, const Take& take);
   void note(Vertices& vertices, const trace::Record& record) const;
+  /// `exact_only`: no tolerance moves lattice vertices near the surface onto it, so rounding of the lattice
+  /// decides which vertices are on the surface.
   void compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
                           Differences& differences) const;
   trace::Point position(const trace::LatticeVertex& vertex) const;  ///< eq. (2.1)

@@ -11,7 +11,7 @@
 namespace tetproof::verify {
 namespace {
 
-// A tetrahedron by the places of its points, ascending.
+// A tetrahedron as the places of its points, ascending.
 struct PlacedTet {
   std::array<int, 4> places;
   Index tet;
@@ -24,7 +24,7 @@ std::vector<PlacedTet> placed(const TetMesh& mesh, const std::vector<int>& place
     tets[t].tet = static_cast<Index>(t);
     for (int i = 0; i < 4; ++i) {
       const Index point = mesh.tets[t][i];
-      // A point that does not exist is no place, and never the same as another one.
+      // A point that does not exist has no place and matches no other.
       const bool exists = point >= 0 && static_cast<std::size_t>(point) < place_of.size();
       tets[t].places[i] = exists ? place_of[point] : nowhere;
     }
@@ -46,7 +46,7 @@ double diagonal(const TetMesh& mesh) {
   return low.x() <= high.x() ? std::min(length, std::numeric_limits<double>::max()) : 0;
 }
 
-// Puts into each side what has no partner there.
+// Fills in one side with the points and tetrahedra that have no partner.
 void tell(GridSide& side, const NamedGrid& grid, std::vector<Index> points, std::vector<Index> tets) {
   side.file = grid.file;
   side.points = static_cast<std::int64_t>(grid.mesh.points.size());
@@ -76,9 +76,8 @@ GridComparison compare_grids(const NamedGrid& other, const NamedGrid& reference,
   GridComparison result;
   result.tolerance = tolerance * diagonal(reference.mesh);
 
-  // Points with equal coordinates are one place. What is not finite has no place; it stands beside those of
-  // the reference
-  // (-2) and of the other (-1), so that nothing matches it.
+  // Points with equal coordinates are one place. A point that is not finite has no place: it gets -2 in the
+  // reference and -1 in the other, so nothing matches it.
   PointIndex index(result.tolerance);
   std::vector<int> place_of_reference(reference.mesh.points.size(), -2),
       place_of_other(other.mesh.points.size(), -1);

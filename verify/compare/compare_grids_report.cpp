@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the comparison of two grids found, for people and as JSON.
+// Writes the result of comparing two grids, as text for people and as JSON.
 #include <fmt/format.h>
 
 #include <cmath>

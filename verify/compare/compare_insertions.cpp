@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare/compare_insertions.hpp"
 
-#include "verify/compare/compare_splits.hpp"
+#include "verify/compare/compare_flips.hpp"
 #include "verify/compare/rounding.hpp"
 
 namespace tetproof::verify {
@@ -9,7 +9,7 @@ namespace {
 
 using namespace trace;
 
-// `more`: what else is known of it.
+// `more`: further text, placed after the numbers.
 Says side(const Split& split, const std::string& more = "") {
   return {split.line,
           fmt::format("row {}, E'avg {}{}: {}", split.insertion.row, split.insertion.e_avg, more,
@@ -22,12 +22,6 @@ std::string place(const Split& split) {
   std::string text = fmt::format("in the {}", simplex[split.insertion.replaced.size() - 2]);
   for (const int i : split.insertion.replaced) text += fmt::format(" {}", short_text(split.insertion.tet[i]));
   return text;
-}
-
-std::string says(const Flip& flip) {
-  return fmt::format("{} flip of the face {} {} {} and the edge {} {}", flip.two_to_three ? "2-3" : "3-2",
-                     short_text(flip.face[0]), short_text(flip.face[1]), short_text(flip.face[2]),
-                     short_text(flip.edge[0]), short_text(flip.edge[1]));
 }
 
 class Insertions {
@@ -49,7 +43,7 @@ class Insertions {
 
   void run() {
     for (std::int64_t n = 1;; ++n) {
-      // The reference first: it says which points there are.
+      // The reference comes first: its points are the ones that the other's are matched with.
       const std::optional<Split> a = next(Side::reference, n, nullptr),
                                  b = next(Side::other, n, a ? &*a : nullptr);
       if (!a && !b) break;
@@ -64,45 +58,24 @@ class Insertions {
   }
 
  private:
-  // Insertion n with its flips; nothing at the end of the insertions. `same_n`: the other trace's.
+  // Reads insertion n of one trace. `same_n`: the other trace's insertion n, if it was read already.
   std::optional<Split> next(Side side, std::int64_t n, const Split* same_n) {
-    TraceStream& stream = side == Side::reference ? reference_ : other_;
-    const auto* insertion = stream.next_is<Insertion>();
-    if (!insertion) {
-      if (stream.next() && !stream.next_is<End>()) stream.fail("insertion or end");
-      return std::nullopt;
-    }
-    if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
-    Split split{.insertion = *insertion, .line = stream.line()};
-    std::array<int, 4> corners;
-    for (int i = 0; i < 4; ++i) corners[i] = points_.number(side, insertion->tet[i]);
-    split.tet = sorted(corners);
-    for (const int i : insertion->replaced) split.replaced.push_back(corners[i]);
-    std::sort(split.replaced.begin(), split.replaced.end());
-    const auto partner = waiting_.find(split.tet);
-    if (partner != waiting_.end() && partner->second.first != side)
-      split.point = points_.insert(side, insertion->point, partner->second.second.point);
-    else
-      split.point =
-          points_.insert(side, insertion->point, same_n && same_n->tet == split.tet ? same_n->point : -1);
-    for (stream.take(); const auto* flip = stream.next_is<Flip>(); stream.take()) {
-      FlipKey key{};
-      for (int i = 0; i < 3; ++i) key[i] = points_.number(side, flip->face[i]);
-      for (int i = 0; i < 2; ++i) key[3 + i] = points_.number(side, flip->edge[i]);
-      key[5] = flip->two_to_three;
-      std::sort(key.begin(), key.begin() + 3);
-      std::sort(key.begin() + 3, key.begin() + 5);
-      split.flips.push_back({*flip, key, stream.line()});
-    }
-    return split;
+    return read_split(side == Side::reference ? reference_ : other_, side, n, points_,
+                      [&](const TetKey& tet) {
+                        const auto partner = waiting_.find(tet);
+                        if (partner != waiting_.end() && partner->second.first != side)
+                          return partner->second.second.point;
+                        return same_n && same_n->tet == tet ? same_n->point : -1;
+                      });
   }
 
-  // An average error far below the mean volume is known to the rounding of volumes only.
+  // The rounding error of an average error. If it is far below the mean volume, the rounding of volumes
+  // dominates.
   double rounding(double e_avg) const { return tie * std::abs(e_avg) + 1e-14 * sizes_.volume; }
 
   // False if the comparison ends here.
   bool step(std::int64_t n, const Split& a, const Split& b) {
-    // By how much the E_avg's differed before says nothing about the choice.
+    // A difference that the E_avg's had before this insertion (drift_) says nothing about the choice.
     const double difference = a.insertion.e_avg - b.insertion.e_avg;
     const double size = rounding(std::max(std::abs(a.insertion.e_avg), std::abs(b.insertion.e_avg)));
     const bool equally_good = std::abs(difference) <= size || std::abs(difference - drift_) <= size;
@@ -117,7 +90,7 @@ class Insertions {
           fmt::format("E'avg first differs at insertion {}: {} in reference, {} in other", n, one, two));
       return false;
     }
-    // Within a tie the same splits may come in another order: each waits for its partner.
+    // Within a tie the same splits may come in another order, so each split waits for its partner.
     ++group_;
     if (!meet(n, a, Side::reference) || !meet(n, b, Side::other)) return false;
     if (waiting_.empty()) result_.reordered += group_;
@@ -130,18 +103,17 @@ class Insertions {
       waiting_.emplace(split.tet, std::pair{side, split});
       return true;
     }
-    if (found->second.first == side) {  // no trace splits a tetrahedron twice
+    if (found->second.first == side) {  // a trace cannot split a tetrahedron twice
       const TraceStream& stream = side == Side::reference ? reference_ : other_;
-      throw InputError(
-          fmt::format("{}:{}: expected a tetrahedron that is there, found the one split in line {}",
-                      stream.path(), split.line, found->second.second.line));
+      throw InputError(fmt::format("{}:{}: expected an existing tetrahedron, found the one split in line {}",
+                                   stream.path(), split.line, found->second.second.line));
     }
     const Split earlier = std::move(found->second.second);
     waiting_.erase(found);
     return side == Side::reference ? same_tet(n, split, earlier, true) : same_tet(n, earlier, split, true);
   }
 
-  // Both split the same tetrahedron: also in the same way?
+  // Both split the same tetrahedron. Compares how.
   bool same_tet(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
     const std::string both =
         fmt::format("insertion {}: both split the tetrahedron at {}", n, at(a.insertion.tet));
@@ -176,16 +148,9 @@ class Insertions {
   }
 
   bool same_flips(std::int64_t n, const Split& a, const Split& b, bool in_a_tie) {
-    const auto keys = [](const Split& split) {
-      std::vector<FlipKey> all;
-      for (const Flipped& flip : split.flips) all.push_back(flip.key);
-      std::sort(all.begin(), all.end());
-      return all;
-    };
-    const std::vector<FlipKey> in_a = keys(a), in_b = keys(b);
-    if (in_a == in_b) {  // perhaps in another order, which is no matter of (3.5)
-      result_.flips += static_cast<std::int64_t>(in_a.size());
-      if (in_a.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
+    if (verify::same_flips(a, b)) {  // perhaps in another order, which eq. (3.5) does not decide
+      result_.flips += static_cast<std::int64_t>(a.flips.size());
+      if (a.flips.empty() || in_a_tie || tolerance_.same(a.e_avg(), b.e_avg(), scale_)) return true;
       const auto [one, two] = apart(a.e_avg(), b.e_avg());
       const Flipped &last_a = a.flips.back(), &last_b = b.flips.back();
       return diverge(n, Step::average_after,
@@ -193,37 +158,14 @@ class Insertions {
                      {last_a.line, says(last_a.flip), to_line(last_a.flip)},
                      {last_b.line, says(last_b.flip), to_line(last_b.flip)});
     }
-    if (in_a_tie) {  // the surroundings of the two splits may not have been the same
+    if (in_a_tie) {  // the tetrahedra around the two splits may have been different
       parted_at_a_tie(fmt::format("flips differ in lines {} and {}", a.line, b.line));
       return false;
     }
-    std::size_t i = 0;
-    while (i < a.flips.size() && i < b.flips.size() && a.flips[i].key == b.flips[i].key) ++i;
-    const Flipped* const one = i < a.flips.size() ? &a.flips[i] : nullptr;
-    const Flipped* const two = i < b.flips.size() ? &b.flips[i] : nullptr;
-    const auto side = [](const Flipped* flipped, std::int64_t line) {
-      return flipped ? Says{flipped->line,
-                            fmt::format("{}; smallest quality {:.6g} to {:.6g}", says(flipped->flip),
-                                        flipped->flip.quality_before, flipped->flip.quality_after),
-                            to_line(flipped->flip)}
-                     : Says{line, "no further flip"};
-    };
-    const auto short_name = [](const Flipped& flipped) {
-      const Flip& flip = flipped.flip;
-      const Point c = (flip.face[0] + flip.face[1] + flip.face[2] + flip.edge[0] + flip.edge[1]) / 5;
-      return fmt::format("makes the {} flip at ({:.4g}, {:.4g}, {:.4g})", flip.two_to_three ? "2-3" : "3-2",
-                         c.x(), c.y(), c.z());
-    };
-    const std::string what =
-        one && two ? fmt::format("insertion {}, flip {}: reference {}, other {}", n, i + 1, short_name(*one),
-                                 short_name(*two))
-        : one      ? fmt::format("insertion {}, flip {}: reference {}, other makes no further flip", n, i + 1,
-                                 short_name(*one))
-                   : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
-                                 short_name(*two));
-    const std::optional<std::string> reason = flips_tie(a, b, i, settings_, sizes_);
-    diverge(n, Step::flips, reason ? what + "; " + *reason : what, side(one, a.line), side(two, b.line));
-    if (reason) result_.verdict = TraceComparison::Verdict::tie;
+    const FlipDifference flips = first_flip_difference(n, a, b, settings_, sizes_);
+    diverge(n, Step::flips, flips.tie ? flips.what + "; " + *flips.tie : flips.what, flips.reference,
+            flips.other);
+    if (flips.tie) result_.verdict = TraceComparison::Verdict::tie;
     return false;
   }
 
@@ -235,9 +177,10 @@ class Insertions {
         n, at(a.insertion.tet), a.insertion.row, at(b.insertion.tet), b.insertion.row, one, two);
   }
 
-  // Where the other one splits that tetrahedron too, its row of Table 4 there may tell what is wrong here.
+  // Looks further for the insertion at which each trace splits the other's tetrahedron. Its row of Table 4
+  // may tell what is wrong here.
   bool parted_in_choice(std::int64_t n, const Split& a, const Split& b) {
-    // The one with the larger E'avg has refused the other's split.
+    // The trace with the larger E'avg has refused the other's split.
     const bool by_rounding = refused_by_rounding(a.insertion.e_avg < b.insertion.e_avg ? a : b, sizes_);
     const auto later = [&](Side side, const Split& wanted, const char* who) {
       for (std::int64_t i = n + 1; const std::optional<Split> split = next(side, i, nullptr); ++i)
@@ -247,7 +190,7 @@ class Insertions {
     };
     std::string what = choice(n, a, b);
     if (by_rounding)
-      what += "; decided by rounding: the better split makes tetrahedra thinner than it (reading D18)";
+      what += "; decided by rounding: the better split makes tetrahedra thinner than rounding (reading D18)";
     diverge(n, Step::choice, what, side(a, later(Side::other, a, "other")),
             side(b, later(Side::reference, b, "reference")));
     if (by_rounding) result_.verdict = TraceComparison::Verdict::tie;
@@ -260,7 +203,7 @@ class Insertions {
     return false;
   }
 
-  // The tie is still open, and something is not the same in both.
+  // The traces differ while a tie is still open.
   void parted_at_a_tie(const std::string& how) {
     result_.notes.push_back(fmt::format("the tie was never closed; {}", how));
     diverge(tie_.n, Step::choice, choice(tie_.n, tie_.a, tie_.b) + ": a tie", side(tie_.a), side(tie_.b));
@@ -283,17 +226,17 @@ class Insertions {
                         at(split.insertion.tet), split.insertion.row),
             a ? side(split) : over, a ? over : side(split));
     if (!end || end->stopped != "no-gain") return;
-    const char* reason = before_ - split.insertion.e_avg <= rounding(before_)
-                             ? "a tie: E_avg falls by rounding"
-                         : refused_by_rounding(split, sizes_)
-                             ? "decided by rounding: the split makes tetrahedra thinner than it (reading D18)"
-                             : nullptr;
+    const char* reason =
+        before_ - split.insertion.e_avg <= rounding(before_) ? "a tie: E_avg falls by rounding"
+        : refused_by_rounding(split, sizes_)
+            ? "decided by rounding: the split makes tetrahedra thinner than rounding (reading D18)"
+            : nullptr;
     if (!reason) return;
     result_.verdict = TraceComparison::Verdict::tie;
     result_.what += fmt::format("; {}", reason);
   }
 
-  // Both have no more insertions.
+  // Neither trace has more insertions. Compares the ends.
   void ends() {
     const End *a = reference_.next_is<End>(), *b = other_.next_is<End>();
     if (!a && !b) return result_.notes.push_back("both traces break off, without an end record");
@@ -318,15 +261,16 @@ class Insertions {
   Magnitudes sizes_;
   TraceComparison& result_;
   double scale_ = 0;
-  double drift_ = 0;   // the difference of the E_avg's before the present insertion
-  double before_ = 0;  // the reference's E_avg there
+  double drift_ = 0;   // the difference of the E_avg's before the current insertion
+  double before_ = 0;  // the reference's E_avg before it
 
   struct Tie {
     std::int64_t n;
     Split a, b;
-  } tie_{};  // the first insertion of the present group
-  std::int64_t group_ = 0;
-  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;  // whose
+  } tie_{};                 // the first insertion of the current tie
+  std::int64_t group_ = 0;  // the number of insertions in it
+  // The splits of the current tie that have no partner yet, and whose they are.
+  std::unordered_map<TetKey, std::pair<Side, Split>, ArrayHash> waiting_;
 };
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Verdict = TraceComparison::Verdict;
 
-// What a tie leaves to do.
+// The advice that follows a tie.
 std::string after(const TraceComparison& tie) {
   return tie.insertion > 0
              ? "from here on the two can't be compared step by step; tetproof-mesh --follow checks the rest"
-             : "what follows from it can't be compared; on a lattice without such places (another "
-               "--box-scale, "
-               "--cells or --on-surface) it can";
+             : "what follows from the tie can't be compared; another --box-scale, --cells or --on-surface "
+               "may "
+               "give a lattice without ties";
 }
 
 Json json(const TraceSide& side) {
@@ -36,7 +36,8 @@ TraceComparison compare_traces(const std::string& other_path, const std::string&
   result.other.file = other_path;
   TraceStream reference(reference_path), other(other_path);
 
-  // What follows from a difference is not looked at: the steps are compared one after the other.
+  // The steps are compared one after the other. After the first step with a difference nothing is compared,
+  // because it would only show consequences.
   Differences differences;
   FirstSteps steps(reference, tolerance);
   steps.compare(other, differences, result.notes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of one kind, matched by what names them (an edge, a cell) in whatever order each trace gives them.
+// Matches the records of one kind in two traces by their keys (an edge, a cell), in whatever order each trace
+// has them.
 #pragma once
 
 #include <unordered_map>
@@ -9,20 +10,20 @@
 
 namespace tetproof::verify {
 
-/// The reference's records R of a kind; each waits for its partner in the other trace. Their differences
-/// count for `step`. `always_there`: a run has such records, so that a trace without them leaves them out and
-/// is not wrong about them.
+/// The reference's records of one kind R. Each waits for its partner in the other trace. Differences are
+/// added to `step`. `always_there`: every run has such records; a trace without any has left them out, which
+/// is no difference.
 template <class Key, class R>
 class KeyedRecords {
  public:
   struct Entry {
     R record;
-    std::int64_t line = 0, partner = 0;  ///< the partner's line; 0: none yet
+    std::int64_t line = 0, partner = 0;  ///< `partner`: the line of the partner; 0: none yet
   };
 
   explicit KeyedRecords(Step step, bool always_there = false) : step_(step), always_there_(always_there) {}
 
-  /// Takes the reference's next record.
+  /// Adds the reference's next record. Throws InputError if its key is there already.
   void add(const TraceStream& reference, const Key& key, const R& record) {
     const auto [found, fresh] = entries_.try_emplace(key, Entry{record, reference.line()});
     if (!fresh)
@@ -31,8 +32,9 @@ class KeyedRecords {
                                    found->second.line));
   }
 
-  /// The reference's record for the other's in this line, which `name(record)` calls; nullptr, and a
-  /// difference, if there is none (perhaps `by_rounding`) or an earlier one took it.
+  /// Finds the reference's record for a record of the other trace. If there is none, or if it already has a
+  /// partner, adds a difference and returns nullptr. `line`: the line of `record` in the other trace.
+  /// `name(record)`: its name in messages. `by_rounding`: rounding may explain that the reference has none.
   template <class Name>
   const Entry* match(std::int64_t line, const Key& key, const R& record, Differences& differences,
                      const Name& name, bool by_rounding = false) {
@@ -64,8 +66,8 @@ class KeyedRecords {
     return &entry;
   }
 
-  /// Adds a difference for each record that found no partner; `name(record)` calls it, and
-  /// `by_rounding(record)` says whether rounding decides that there is one.
+  /// Adds a difference for each record without a partner. `name(record)`: its name in messages.
+  /// `by_rounding(record)`: whether rounding decides if there is such a record.
   template <class Name, class ByRounding>
   void rest(Differences& differences, const Name& name, const ByRounding& by_rounding) const {
     if (left_out()) return;
@@ -81,14 +83,14 @@ class KeyedRecords {
             by_rounding(entry.record));
   }
 
-  /// The reference's record; nullptr for none.
+  /// The reference's record with this key; nullptr if there is none.
   const R* find(const Key& key) const {
     const auto found = entries_.find(key);
     return found == entries_.end() ? nullptr : &found->second.record;
   }
 
   bool empty() const { return entries_.empty(); }
-  /// One of the two traces leaves these records out; known at its end.
+  /// Whether one of the two traces leaves these records out. Only known after both were read.
   bool left_out() const { return always_there_ && entries_.empty() == other_has_any_; }
 
  private:

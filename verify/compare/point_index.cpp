@@ -57,7 +57,7 @@ int PointIndex::find(const Eigen::Vector3d& point, const std::vector<bool>& take
   double closest = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner) {
     Cell cell;
-    bool again = false;  // this cell was another corner's
+    bool again = false;  // an earlier corner was in the same cell
     for (int i = 0; i < 3; ++i) {
       cell[i] = corner >> i & 1 ? high[i] : low[i];
       again |= (corner >> i & 1) && high[i] == low[i];

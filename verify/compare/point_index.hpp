@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points named by their coordinates, within a tolerance: what two files call the same point.
+// Finds points by their coordinates within a tolerance.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace tetproof::verify {
 
-/// Hash of a few numbers, for maps whose keys are arrays.
+/// Hashes arrays of numbers, for maps whose keys are arrays.
 struct ArrayHash {
   template <class Array>
   std::size_t operator()(const Array& values) const {
@@ -24,21 +24,22 @@ struct ArrayHash {
   }
 };
 
-/// Finds the closest of the points it holds, if that is within the tolerance. Points lie in a hashed grid of
-/// cells some tolerances wide, so that a look-up takes constant time; throws InputError when it meets
-/// hundreds of points in one cell, where matching within the tolerance would mean nothing.
+/// Finds the closest point within the tolerance. The points are stored in a hashed grid of cells that are a
+/// few tolerances wide, so a look-up takes constant time. Throws InputError if it meets hundreds of points in
+/// one cell: matching within the tolerance is then meaningless.
 class PointIndex {
  public:
-  explicit PointIndex(double tolerance);  ///< [length]; 0: equal coordinates only
+  explicit PointIndex(double tolerance);  ///< [length]; 0: finds equal coordinates only
 
-  /// The number of the point with just these coordinates, which is added if it is new. -0 is 0.
+  /// The number of the point with exactly these coordinates (-0 equals 0). Adds the point if it is new.
   int add(const Eigen::Vector3d& point);
-  /// The number of a new point, even where there is one already.
+  /// Adds a point, even if there is one with the same coordinates, and returns its number.
   int append(const Eigen::Vector3d& point);
-  /// The closest point within the tolerance, of several equally close the one added first; -1 for none. Never
-  /// finds a point that is not finite.
+  /// The closest point within the tolerance; -1 if there is none. Of several equally close points, the one
+  /// that was added first. Never finds a point that is not finite.
   int find(const Eigen::Vector3d& point) const { return find(point, {}); }
-  /// Likewise, but not those whose numbers are marked in `taken` (beyond its end: unmarked).
+  /// Likewise, but ignores the points whose numbers are marked in `taken`. Numbers beyond its end are not
+  /// marked.
   int find(const Eigen::Vector3d& point, const std::vector<bool>& taken) const;
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
@@ -53,7 +54,7 @@ class PointIndex {
 
   double tolerance_, width_;
   std::vector<Eigen::Vector3d> points_;
-  std::vector<int> before_;  // the point that came into the same cell before
+  std::vector<int> before_;  // for each point, the previous point of the same cell; -1: none
   std::unordered_map<Cell, Last, ArrayHash> cells_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether rounding decides about a tetrahedron: what two right implementations that add in another order may
-// see differently. Internal.
+// Tells whether rounding decides about a tetrahedron: two correct implementations that add in another order
+// may then see it differently. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,14 +8,15 @@
 
 namespace tetproof::verify {
 
-/// Relative difference up to which two numbers that are compared to choose are equally good.
+/// Two numbers that decide a choice are equally good up to this relative difference.
 inline constexpr double tie = 1e-12;
 
-/// Whether a tetrahedron is so thin that its sign and its quality are a matter of rounding: a volume below
-/// 1e-12 of its longest edge's cube, or a height below 1e-13 of `size`, the magnitude of the coordinates.
+/// Whether a tetrahedron is so thin that rounding decides its sign and its quality: its volume is below 1e-12
+/// of the cube of its longest edge, or a height is below 1e-13 of `size`, the magnitude of the coordinates
+/// [length].
 bool thinner_than_rounding(const std::array<Eigen::Vector3d, 4>& tet, double size);
 
-/// The smallest solid angle of a tetrahedron, over 4 pi.
+/// The smallest solid angle of a tetrahedron, divided by 4 pi.
 double smallest_solid_angle(const std::array<Eigen::Vector3d, 4>& tet);
 
 }  // namespace tetproof::verify

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parts of the comparison of two traces share: a trace as it is read, and the earliest difference
-// found.
+// The shared parts of comparing two traces: a stream of records, the collected differences, and words for
+// messages.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace tetproof::verify {
 
-/// The decisions in the order in which a difference counts: what follows from a difference comes after it.
+/// The compared decisions, each before the decisions that depend on it.
 enum class Step {
   settings,
   lattice,
@@ -42,7 +42,7 @@ enum class Step {
   end
 };
 
-/// A trace being read, with a look at the next record.
+/// A trace that is being read, with access to the next record.
 class TraceStream {
  public:
   explicit TraceStream(const std::string& path) : reader_(path) { take(); }
@@ -52,7 +52,7 @@ class TraceStream {
   const R* next_is() const {
     return next_ ? std::get_if<R>(&*next_) : nullptr;
   }
-  std::int64_t line() const { return reader_.line(); }  ///< of the next record
+  std::int64_t line() const { return reader_.line(); }  ///< the line of the next record
   const std::string& path() const { return reader_.path(); }
   void take() { next_ = reader_.next(); }
 
@@ -66,24 +66,24 @@ class TraceStream {
   std::optional<trace::Record> next_;
 };
 
-/// What one side has to do with a difference.
+/// What one trace says at a difference.
 struct Says {
   std::int64_t line = 0;
   std::string says;
   std::string record{};
 };
 
-/// Collects differences that are met in any order; keeps of each step how many there are and the first one of
-/// the reference. Those that rounding decides count where a step has no others.
+/// Collects differences, which may come in any order. For each step, keeps their number and the first one in
+/// the order of the reference. Differences that rounding decides only count if the step has no others.
 class Differences {
  public:
   struct Difference {
     std::string what;
     Says reference, other;
   };
-  /// `make()` gives the difference and is only called when it is the first so far. Lines are 0 where a side
-  /// has no record; what only the other trace has comes after what the reference has. `by_rounding`: two
-  /// right implementations can differ here.
+  /// `make()` returns the difference; it is called only if this is the first one so far. A line is 0 if that
+  /// trace has no record; such differences of the other trace come after those with a record in the
+  /// reference. `by_rounding`: two correct implementations can differ here.
   template <class Make>
   void add(Step step, std::int64_t reference_line, std::int64_t other_line, const Make& make,
            bool by_rounding = false) {
@@ -95,7 +95,7 @@ class Differences {
     found.difference = make();
   }
   bool none() const { return found_.empty(); }
-  /// Puts the earliest step's difference into `result`.
+  /// Fills in `result` with the difference of the earliest step.
   void tell(TraceComparison& result) const;
 
  private:
@@ -107,16 +107,16 @@ class Differences {
   std::map<std::pair<Step, bool>, Found> found_;
 };
 
-/// Fills in where `difference` is and what both say.
+/// Fills in `result` with a difference: its place, and what both traces say.
 void tell(TraceComparison& result, Step step, std::int64_t count, const Differences::Difference& difference);
 
 // Words.
-std::string text(const trace::Point& point);           ///< (x, y, z), all digits
+std::string text(const trace::Point& point);           ///< (x, y, z), with all digits
 std::string text(const trace::LatticeVertex& vertex);  ///< (i, j, k)
-std::string short_text(const trace::Point& point);     ///< (x, y, z) in six digits: the record has them all
+std::string short_text(const trace::Point& point);     ///< (x, y, z), with six digits; the record has all
 std::string short_text(const trace::Tet& tet);         ///< its four points
-std::string at(const trace::Tet& tet);                 ///< its centroid in a few digits
-/// Two numbers with one digit more than it takes to see that they differ, at least `digits`.
+std::string at(const trace::Tet& tet);                 ///< its centroid, with a few digits
+/// Two numbers with one digit more than is needed to see that they differ; at least `digits`.
 std::pair<std::string, std::string> apart(double a, double b, int digits = 4);
 std::pair<std::string, std::string> apart(std::int64_t a, std::int64_t b);
 std::string counted(std::int64_t n, const char* one, const char* many);

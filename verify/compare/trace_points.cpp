@@ -13,7 +13,7 @@ int TracePoints::number(Side side, const Eigen::Vector3d& point) {
   const auto [known, fresh] = named.numbers.try_emplace(key(point));
   if (!fresh) return known->second;
   int number = index_.find(point, named.all);
-  if (number < 0) {  // perhaps one that this trace does write in two ways
+  if (number < 0) {  // perhaps this trace writes a point in two ways after all
     const std::vector<bool>& others = named_[side == Side::reference].all;
     number = index_.find(point);
     if (number >= 0 && (static_cast<std::size_t>(number) >= others.size() || !others[number])) number = -1;

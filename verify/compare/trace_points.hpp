@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of two traces, numbered alike.
+// Common numbers for the points of two traces.
 #pragma once
 
 #include <array>
@@ -13,23 +13,24 @@ namespace tetproof::verify {
 /// Which of two traces.
 enum class Side { reference, other };
 
-/// A trace writes a point bit for bit the same every time, so each trace's points are told apart by their
-/// exact coordinates, however close they are. What is the same point in both is settled once, when a trace
-/// names it for the first time: the point of an insertion is that of the other's same insertion, any other
-/// the closest one within the tolerance.
+/// A trace always writes a point with the same bits, so the points of one trace are told apart by their exact
+/// coordinates, however close they are. Which points of the two traces are the same is decided once, when a
+/// trace names a point for the first time. The point of an insertion is the same as that of the other trace's
+/// same insertion. Any other point is matched with the closest one within the tolerance.
 class TracePoints {
  public:
-  explicit TracePoints(double tolerance) : index_(tolerance) {}  ///< [length]; 0: equal coordinates only
+  /// [length]; 0: matches equal coordinates only.
+  explicit TracePoints(double tolerance) : index_(tolerance) {}
 
-  /// A point that is there. One that this trace has not named yet is the closest within the tolerance, of
-  /// those that only the other one has named if there is one, else of those that both have, or else a new
-  /// one. Throws InputError where hundreds of points crowd within a few tolerances of one that is named for
-  /// the first time.
+  /// The number of an existing point. If this trace has not named it yet, it is the closest point within the
+  /// tolerance: first among those that only the other trace has named, then among those that both have named.
+  /// Otherwise it is a new point. Throws InputError if hundreds of points lie within a few tolerances of a
+  /// point that is named for the first time.
   int number(Side side, const Eigen::Vector3d& point);
-  /// The new point of an insertion. `partner`: the number of the other's same insertion's; -1: it has not
-  /// come there (yet).
+  /// The number of an insertion's new point. `partner`: the number that the other trace's same insertion gave
+  /// its point; -1: there is no such insertion (yet).
   int insert(Side side, const Eigen::Vector3d& point, int partner);
-  /// As the first trace to name it has it.
+  /// The coordinates, as the first trace that named the point has them.
   const Eigen::Vector3d& at(int number) const { return index_.points()[number]; }
 
  private:
@@ -39,7 +40,7 @@ class TracePoints {
   }
   struct Named {
     std::unordered_map<Key, int, ArrayHash> numbers;
-    std::vector<bool> all;  // by number; beyond its end: not named
+    std::vector<bool> all;  // by number; a number beyond its end is not named
   };
   static void mark(Named& named, int number);
 

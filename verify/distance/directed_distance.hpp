@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The directed Hausdorff distance with what the checks need besides: trees built once, a question to be
-// decided, the nearest triangle of each. Internal; the public face is hausdorff.hpp.
+// The directed Hausdorff distance with the options that the checks need: trees that are built once, a yes-no
+// question, and the nearest triangle of each triangle. Internal; the public header is verify/hausdorff.hpp.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,18 @@ namespace tetproof::verify {
 
 struct DistanceQuestion {
   HausdorffOptions options;
-  /// [length] Decide whether the distance is larger: the interval is narrowed beyond `options.error` while it
-  /// holds this and work remains.
+  /// [length] If given, also decide whether the distance is larger than this. While the interval contains
+  /// this value and work remains, the interval is narrowed below `options.error`.
   std::optional<double> allowed{};
-  /// With `allowed`: decide, and no more. The interval may be as wide as what is allowed; its lower end comes
-  /// from every eighth triangle of A and from what had to be looked at.
+  /// With `allowed`: decide, and do nothing else. The interval may then be as wide as `allowed`. Its lower
+  /// end comes from every eighth triangle of A and from the triangles that the decision needed.
   bool only_decide = false;
-  /// If not null, and not only to decide: for each triangle of A one of B nearest to its centroid.
+  /// If not null and not `only_decide`: receives, for each triangle of A, a triangle of B nearest to its
+  /// centroid.
   std::vector<Index>* nearest = nullptr;
 };
 
-/// `a` and `b` in the same units.
+/// Both trees must have the same units.
 DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
                                    const DistanceQuestion& question);
 

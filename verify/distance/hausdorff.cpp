@@ -18,10 +18,10 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-constexpr std::size_t chunk = 256;  // of triangles of A, each starting without a guess
+constexpr std::size_t chunk = 256;  // triangles of A; each chunk starts without a guess
 
-// What one question to the tree says about each triangle of A; or none, if the guess alone is within
-// `enough`.
+// The bounds that one query to the tree gives for a triangle of A. If the guessed triangle of B is within
+// `enough`, no query is made.
 struct First {
   double lower, upper;
   Index nearest;
@@ -40,7 +40,7 @@ First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index gu
   for (const Point& p : corners) squared = std::max(squared, frame.squared_distance(p));
   First first{std::max(0.0, std::sqrt(nearest.squared) - distance_slack), std::sqrt(squared) + distance_slack,
               nearest.triangle};
-  if (squared < 1e-28) {  // perhaps on it, exactly
+  if (squared < 1e-28) {  // the triangle may lie exactly on the nearest one
     const auto points = [](const TriangleSet& set, Index triangle) {
       const Triangle& v = set.triangles[static_cast<std::size_t>(triangle)];
       return std::array<Point, 3>{set.points[v[0]], set.points[v[1]], set.points[v[2]]};
@@ -80,8 +80,9 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
   double error = std::max(question.options.error / scale, least_error);
   const double accepted = question.only_decide ? question.allowed.value() / scale : 0;
 
-  // Every eighth triangle first. What they find spares most of the others the question: where the sets are
-  // far apart it is a dear one, and the guess's bound is below the largest distance known.
+  // Every eighth triangle comes first. The lower bound that they find saves most of the others their query:
+  // where the sets are far apart a query is expensive, and the bound from the guess is below the largest
+  // known distance.
   std::vector<First> first(a.size());
   const auto look = [&](bool samples, double enough) {
     tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
@@ -121,8 +122,8 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
       work.pieces.push_back(piece);
       works.push_back(std::move(work));
     }
-    // In rounds, so that what one triangle finds helps all others, whatever the order of the threads. A
-    // triangle that needs much is set aside until the others have spoken.
+    // The search goes in rounds, so that a bound found in one triangle helps all others, whatever the order
+    // of the threads. A triangle that needs much work waits until the others have had their turn.
     std::vector<std::size_t> open(works.size());
     for (std::size_t i = 0; i < works.size(); ++i) open[i] = i;
     for (std::int64_t budget = 8; !open.empty() && result.pieces < question.options.most_pieces;
@@ -184,7 +185,7 @@ DirectedDistance directed_hausdorff(std::span<const Eigen::Vector3d> points_a,
   if (!units.usable && !(triangles_a.empty() || triangles_b.empty())) {
     if (units.diagonal != 0)
       throw InputError(fmt::format("doubles cannot measure in a box of diagonal {}", units.diagonal));
-    units.origin = points_a[static_cast<std::size_t>(triangles_a[0][0])];  // all in one point
+    units.origin = points_a[static_cast<std::size_t>(triangles_a[0][0])];  // all points coincide
   }
   return directed_distance(TriangleTree(sets[0], units), TriangleTree(sets[1], units), {.options = options});
 }

@@ -9,8 +9,8 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-// The part where `height` of the corners is at most 0, and the rest. Both have at most one corner more. False
-// if the line is crossed more than twice: rounding has bent a piece of hardly any width.
+// Cuts a piece into the part where `height` is at most 0 and the rest. Each part has at most one corner more
+// than the piece. False if the line is crossed more than twice: rounding has bent a very narrow piece.
 bool cut(const Piece& piece, const std::array<double, most_corners>& height, Piece& below, Piece& above) {
   below = {.cuts = piece.cuts + 1, .guess = piece.guess};
   above = below;
@@ -21,7 +21,7 @@ bool cut(const Piece& piece, const std::array<double, most_corners>& height, Pie
     if (height[k] >= 0) above.add(piece.corner.col(k));
     if ((height[k] < 0 && height[next] > 0) || (height[k] > 0 && height[next] < 0)) {
       if (++crossings > 2) return false;
-      // From the same end whichever way the edge is run.
+      // Always computed from the same end, whichever way the edge is run.
       const int low = height[k] < 0 ? k : next, high = height[k] < 0 ? next : k;
       const double share = height[low] / (height[low] - height[high]);
       const Point p = piece.corner.col(low) + share * (piece.corner.col(high) - piece.corner.col(low));
@@ -57,20 +57,21 @@ bool PieceSearch::examine_over(PieceWork& work, const Piece& piece) const {
     work.upper = std::max(work.upper, std::sqrt(squared) + slack);
     return true;
   }
-  // The walls stand a little outside the edges, as far as the goal allows.
+  // The walls may stand a little outside the edges, as far as the goal allows.
   const double free = goal * goal - height;
   if (free <= 0) return false;
   return over_prism(work, piece, place, goal, 0.45 * std::sqrt(free)) ||
          over_prism(work, piece, place, goal, 0);
 }
 
-// What stands over the triangle and `margin` around it is done, the rest goes to its neighbours; or nothing
-// is changed.
+// Cuts the piece along the walls that stand `margin` outside the edges of triangle `guess`. The part between
+// the walls is done; the rest goes to the triangle's neighbours. Returns false and changes nothing if that
+// does not work.
 bool PieceSearch::over_prism(PieceWork& work, const Piece& piece, const Places& place, double goal,
                              double margin) const {
   const TriangleFrame& frame = tree_.frame(piece.guess);
-  // A cut that takes the middle away leaves at most 5/9 of the piece on a side. Others are tried twice
-  // only.
+  // If the middle is between the walls, each part outside has at most 5/9 of the piece. Otherwise a piece may
+  // go on to a neighbour at most twice.
   const TriangleFrame::Place middle = frame.place(piece.middle());
   bool shrinks = true;
   for (int k = 0; k < 3; ++k) shrinks = shrinks && frame.beyond(k, middle) <= margin;
@@ -110,7 +111,7 @@ bool PieceSearch::over_prism(PieceWork& work, const Piece& piece, const Places& 
   return true;
 }
 
-// The distance at a point of the piece is a lower bound.
+// Finds the triangle nearest to a point of the piece. The distance there is a lower bound.
 Index PieceSearch::ask(PieceWork& work, const Point& p, Index guess) const {
   const TriangleTree::Nearest nearest = tree_.nearest(p, guess);
   const double lower = std::sqrt(nearest.squared) - distance_slack;
@@ -151,14 +152,15 @@ void PieceSearch::halve(PieceWork& work, const Piece& piece) {
               middle = piece.corner.col(from) + 0.5 * way;
   std::array<double, most_corners> height;
   for (int i = 0; i < piece.corners; ++i) height[i] = (piece.corner.col(i) - middle).dot(way);
-  if (!(longest > 0) || height[from] >= 0 || height[to] <= 0) {  // of no extent: as its corners
+  if (!(longest > 0) || height[from] >= 0 || height[to] <= 0) {  // it has no extent: judge it by its corners
     work.pieces.push_back(piece);
     work.pieces.back().cuts = most_cuts;
     return;
   }
   Piece below, above;
   if (piece.corners == most_corners || !cut(piece, height, below, above)) {
-    // Along a diagonal: fewer corners each. (A triangle's sides are crossed twice at most.)
+    // Cut it along a diagonal instead, so that each part has fewer corners. (A triangle never gets here: a
+    // line crosses its sides at most twice.)
     below = {.cuts = piece.cuts + 1, .guess = piece.guess};
     above = below;
     const int half = piece.corners / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces of a triangle whose distance to other triangles is not known closely enough. Internal to the
-// Hausdorff distance.
+// Cuts a triangle into pieces until the distance of each piece to other triangles is known closely enough.
+// Internal to the Hausdorff distance.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,19 +13,20 @@
 
 namespace tetproof::verify {
 
-/// A convex polygon in a triangle of A. A cut puts new corners off the line between the old ones by less than
-/// 4 2^-53, so that a piece of `cuts` cuts leaves out what is that often as far from it.
 inline constexpr int most_corners = 12;
+/// Rounding puts the new corners of a cut off the line between the old ones by less than this [units].
 inline constexpr double cut_slack = 4 * 0x1p-53;
 inline constexpr int most_cuts = 200;
 
+/// A convex polygon in a triangle of A. A piece made by `cuts` cuts may miss points that lie up to `cuts` *
+/// cut_slack away from it; `slack` accounts for them.
 struct Piece {
   Eigen::Matrix<double, 3, most_corners> corner = Eigen::Matrix<double, 3, most_corners>::Zero();
   int corners = 0;
   int cuts = 0;
-  Index guess = -1;    ///< a triangle of B to judge it by
-  bool asked = false;  ///< `guess` is nearest to its middle
-  int walks = 0;       ///< how often it was handed to a neighbour without getting smaller for sure
+  Index guess = -1;    ///< the triangle of B that bounds its distance
+  bool asked = false;  ///< `guess` is the triangle nearest to its middle
+  int walks = 0;       ///< how often it went on to a neighbour without certainly getting smaller
 
   double slack() const { return distance_slack + cuts * cut_slack; }
   void add(const Eigen::Vector3d& p) { corner.col(corners++) = p; }
@@ -36,26 +37,26 @@ struct Piece {
   }
 };
 
-/// One triangle of A that is not done.
+/// An unfinished triangle of A.
 struct PieceWork {
   Index triangle;
   std::vector<Piece> pieces;
-  double upper = 0;  ///< of the pieces that are done
-  double lower = 0;  ///< found in it, at `point`
+  double upper = 0;  ///< an upper bound of the distance for all finished pieces
+  double lower = 0;  ///< the largest distance found in the triangle, at `point`
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Index nearest = -1;
-  std::int64_t looked_at = 0;
+  Index nearest = -1;          ///< the triangle of B nearest to `point`
+  std::int64_t looked_at = 0;  ///< number of pieces
 };
 
-/// Looks at the pieces of triangles of A with the triangles B of a tree.
+/// Bounds the distance from pieces of triangles of A to the triangles B of a tree.
 class PieceSearch {
  public:
-  /// A piece is done when it is within `error` of the largest distance found, `lower` or the triangle's own,
-  /// or within `accepted`. All in units.
+  /// A piece is done if its distance is at most `error` above the largest distance found (`lower`, or the
+  /// triangle's own), or at most `accepted`. All values are in units.
   PieceSearch(const TriangleTree& tree, double lower, double error, double accepted)
       : tree_(tree), lower_(lower), error_(error), accepted_(accepted) {}
 
-  /// Looks at up to `budget` pieces.
+  /// Examines up to `budget` pieces.
   void run(PieceWork& work, std::int64_t budget) const;
 
  private:

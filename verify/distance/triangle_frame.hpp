@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle in a plane of its own, for distances to it that lose nothing on needles. Internal.
+// A triangle in coordinates of its own plane, for distances that stay accurate for needles. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,22 @@
 
 namespace tetproof::verify {
 
-/// Coordinates in which the triangle's corners are (0, 0), (length, 0) and (t, h): its longest edge lies
-/// along the first axis, so that 0 <= t <= length and the angles at that edge are acute. The axes are
-/// orthonormal to rounding whatever the triangle's shape; that the second one of a needle may be turned about
-/// the first by eps length / h moves no point of the triangle by more than eps length. So distances from
-/// points within R of the first corner have an absolute error of some eps R, for every triangle, one without
-/// area included.
+/// The triangle's corners have the coordinates (0, 0), (length, 0) and (t, h). Its longest edge lies along
+/// the first axis, so 0 <= t <= length and the angles at that edge are acute.
+///
+/// The axes are orthonormal up to rounding, whatever the triangle's shape. The second axis of a needle may be
+/// turned about the first by eps length / h, but this moves no point of the triangle by more than eps length.
+/// So the distance from a point within R of the first corner has an absolute error of about eps R. This holds
+/// for every triangle, also for one without area.
 struct TriangleFrame {
   Eigen::Vector3d a, u, v;  // first corner; axes
   double length, t, h;
   double left_x, left_y, left_length;     // direction from (0, 0) to (t, h)
   double right_x, right_y, right_length;  // direction from (length, 0) to (t, h)
-  int first;                              // which of the triangle's corners stands at (0, 0)
+  int first;                              // the corner, 0 to 2, that is at (0, 0)
 
   struct Place {
-    double x, y, zz;  // in the plane, and the squared height over it
+    double x, y, zz;  // coordinates in the plane, and the squared height over it
   };
 
   static TriangleFrame of(const std::array<Eigen::Vector3d, 3>& corners) {
@@ -36,7 +37,7 @@ struct TriangleFrame {
     const Eigen::Vector3d along = corners[(f.first + 1) % 3] - f.a, c = corners[(f.first + 2) % 3] - f.a;
     f.length = along.norm();
     f.u = f.length > 0 ? Eigen::Vector3d(along / f.length) : Eigen::Vector3d::Zero();
-    // Twice, as what remains of a needle after the first time need not be upright.
+    // Orthogonalise twice: for a needle, the remainder after the first time need not be orthogonal.
     f.v = c - c.dot(f.u) * f.u;
     for (int i = 0; i < 2; ++i) {
       const double rest = f.v.norm();
@@ -61,7 +62,8 @@ struct TriangleFrame {
     return {x, y, (w - x * u - y * v).squaredNorm()};
   }
 
-  /// How far beyond side k of the triangle as it is numbered: positive outside.
+  /// The distance in the plane from the line of a side, positive outside. Sides have the triangle's numbers:
+  /// side k runs from corner k to the next.
   double beyond(int side, const Place& p) const {
     switch ((side + 3 - first) % 3) {
       case 0:
@@ -74,7 +76,7 @@ struct TriangleFrame {
   }
 
   double squared_distance(const Place& p) const {
-    if (p.y <= 0) {  // the angles at the longest edge are acute: only it can be closest
+    if (p.y <= 0) {  // the angles at the longest edge are acute, so only this edge can be closest
       const double dx = p.x - std::clamp(p.x, 0.0, length);
       return p.zz + p.y * p.y + dx * dx;
     }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t leaf_size = 3;
 
-// Leaves below a node of n triangles, by the same halving as `split`: n - 1 inner nodes would be too many.
+// The number of inner nodes of a tree of n triangles, halved in the same way as in `split`.
 std::size_t inner_nodes(std::size_t n) {
   if (n <= leaf_size) return 0;
   return 1 + inner_nodes(n / 2) + inner_nodes(n - n / 2);
@@ -81,8 +81,8 @@ Index TriangleTree::across(Index t, int k) const {
   return mate == no_side ? -1 : mate / 3;
 }
 
-// The halves of [begin, end) at the median along the longest side of their middles' box; inner nodes stand
-// where `inner_nodes` counts them, so that threads need not agree on numbers.
+// Halves [begin, end) at the median, along the longest side of the box of the triangles' middles.
+// `inner_nodes` tells the position of every node in advance, so threads need not agree on numbers.
 void TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::int32_t at) {
   const std::size_t n = end - begin, half = n / 2;
   Eigen::Vector3d low = items[begin].middle, high = low;
@@ -138,7 +138,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Index gues
     std::int32_t node;
     double squared;
   };
-  std::array<Open, 64> stack;  // one a level
+  std::array<Open, 64> stack;  // at most one entry for each level, and one more
   int top = 0;
   stack[top++] = {0, 0};
   while (top > 0 && best.squared > good) {

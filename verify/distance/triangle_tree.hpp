@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The triangle nearest to a point: a tree of boxes. Internal.
+// Finds the triangle nearest to a point with a tree of boxes. Internal.
 //
-// CGAL's AABB tree answers 13,000 such questions a second from anywhere and some 400,000 near the surface; a
-// Hausdorff distance asks millions, and most of them with a good guess of the answer, which this tree uses.
+// CGAL's AABB tree answers 13,000 such queries a second for arbitrary points, and some 400,000 near the
+// surface. A Hausdorff distance makes millions of queries, most of them with a good guess of the answer. This
+// tree uses the guess.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +17,14 @@
 
 namespace tetproof::verify {
 
-/// One box for everything that is compared, scaled by a power of two to a diagonal in [1/2, 1] about its
-/// middle: equal points stay equal, and the differences that rounding makes are below 2^-53 in these units
-/// wherever the box lies.
+/// Coordinates relative to the middle of one box around everything that is compared, scaled by a power of two
+/// so that the box's diagonal is in [1/2, 1]. Equal points stay equal. Wherever the box lies, rounding
+/// changes coordinates by less than 2^-53 in these units.
 struct Units {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double scale = 1;     ///< [length]
   double diagonal = 0;  ///< of the box [length]
-  bool usable = false;  ///< the box is finite, has a diagonal, and doubles can scale by it
+  bool usable = false;  ///< the box is finite, its diagonal is positive, and doubles can scale by it
 
   Eigen::Vector3d to(const Eigen::Vector3d& p) const { return (p - origin) / scale; }
   Eigen::Vector3d from(const Eigen::Vector3d& p) const { return p * scale + origin; }
@@ -33,10 +34,11 @@ struct TriangleSet {
   std::span<const Eigen::Vector3d> points;
   std::span<const Triangle> triangles;
 };
+/// The units of the box around all triangles of the sets.
 Units units_of(std::span<const TriangleSet> sets);
 
-/// What distances in units may be off by, all told: input rounded to units, frames, boxes that are passed
-/// over. The error analysis gives 30 2^-53.
+/// A bound for the total error of a distance [units], from rounding the input to units, from the frames, and
+/// from boxes that are skipped. The error analysis gives 30 2^-53.
 inline constexpr double distance_slack = 40 * 0x1p-53;
 
 class TriangleTree {
@@ -46,7 +48,8 @@ class TriangleTree {
     double squared = 0;  ///< distance [units^2]
   };
 
-  /// Triangles name existing, finite points. Keeps what the spans refer to.
+  /// The triangles must name existing, finite points. The tree refers to the data of the spans, which must
+  /// outlive it.
   TriangleTree(TriangleSet set, const Units& units);
 
   bool empty() const { return set_.triangles.empty(); }
@@ -55,22 +58,22 @@ class TriangleTree {
   const Units& units() const { return units_; }
   const TriangleFrame& frame(Index t) const { return frames_[static_cast<std::size_t>(place_[t])]; }
   std::array<Eigen::Vector3d, 3> corners(Index t) const;  ///< [units]
-  /// The triangle across side k of triangle t, or -1.
+  /// The triangle across side k of triangle t; -1 if there is none.
   Index across(Index t, int k) const;
 
-  /// Of a point in units. `guess`: a triangle that may be near; -1: none. Once the distance is known to be
-  /// at most `enough`, any triangle that near is good.
+  /// The triangle nearest to a point [units]. `guess`: a triangle that may be near; -1: none. The search may
+  /// stop at any triangle whose distance is at most `enough`.
   Nearest nearest(const Eigen::Vector3d& p, Index guess = -1, double enough = -1) const;
-  /// Calls visit(t) for all triangles within `distance` [units] of a point, until it returns false; false
-  /// then.
+  /// Calls visit(t) for each triangle within `distance` [units] of a point. If visit returns false, the
+  /// search ends and returns false.
   template <class Visit>
   bool for_each_within(const Eigen::Vector3d& p, double distance, const Visit& visit) const;
 
  private:
   struct Node {
-    std::array<Eigen::Vector3d, 2> low, high;  // of the two halves
-    std::array<std::int32_t, 2> child;         // a node; ~first for a leaf that starts at frame `first`
-    std::array<std::int32_t, 2> count;         // of a leaf
+    std::array<Eigen::Vector3d, 2> low, high;  // boxes of the two halves
+    std::array<std::int32_t, 2> child;  // a node; for a leaf, ~first, where its frames begin at `first`
+    std::array<std::int32_t, 2> count;  // frames of a leaf; 0: a node; -1: an empty leaf
   };
   struct Item {
     Eigen::Vector3d middle;
@@ -86,8 +89,8 @@ class TriangleTree {
   Units units_;
   std::vector<Node> nodes_;
   std::vector<TriangleFrame> frames_;  // in the order of the leaves
-  std::vector<std::int32_t> place_;    // of a triangle's frame
-  std::vector<Index> triangle_;        // of a frame
+  std::vector<std::int32_t> place_;    // for each triangle, the position of its frame
+  std::vector<Index> triangle_;        // for each frame, its triangle
   std::vector<Side> mate_;
 };
 

@@ -8,13 +8,13 @@
 namespace tetproof::verify {
 namespace {
 
-// The tetrahedra around one non-manifold edge, as a graph of the third vertices of the faces there: each
-// tetrahedron links two. Its components are the wedges; a wedge of matching faces is a path between two
-// boundary faces.
+// The tetrahedra around one non-manifold edge, as a graph. Its nodes are the third vertices of the faces at
+// the edge; each tetrahedron links two of them. The connected components are the wedges. If all faces of a
+// wedge match, it is a path between two boundary faces.
 struct Wedges {
   std::vector<std::array<Index, 2>> links;
 
-  // The third vertex at the other end of the path from `third`, or -1.
+  // Follows the path from `third` to its other end; -1 if there is no such path.
   Index other_end(Index third) const {
     Index here = third;
     std::size_t last = links.size();
@@ -31,7 +31,7 @@ struct Wedges {
   }
 };
 
-// Pairs the boundary faces at non-manifold edges that bound the same wedge.
+// At each non-manifold edge, pairs the two boundary faces that bound the same wedge.
 void pair_wedges(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
                  std::span<const Triangle> triangles, const EdgeMatching& edges, std::vector<Side>& mate) {
   std::map<std::pair<Index, Index>, Wedges> around;
@@ -68,14 +68,6 @@ void pair_wedges(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
 }
 
 }  // namespace
-
-std::vector<Index> repeated(const std::vector<Index>& ascending) {
-  std::vector<Index> several;
-  for (std::size_t i = 1; i < ascending.size(); ++i)
-    if (ascending[i] == ascending[i - 1] && (several.empty() || several.back() != ascending[i]))
-      several.push_back(ascending[i]);
-  return several;
-}
 
 Boundary find_boundary(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
                        const FaceMatching& matching) {

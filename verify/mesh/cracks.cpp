@@ -12,7 +12,7 @@ namespace {
 
 struct Record {
   std::array<Index, 3> places;  // ascending
-  bool odd;                     // whether the face runs against their order
+  bool odd;                     // whether an odd permutation sorted them
   FaceId face;
 };
 
@@ -38,7 +38,7 @@ Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& exclude
     const auto vertices = vertices_of(mesh, face);
     if (std::none_of(vertices.begin(), vertices.end(), [&](Index v) { return several[v]; })) continue;
     auto [a, b, c] = std::array{place[vertices[0]], place[vertices[1]], place[vertices[2]]};
-    if (a == b || b == c || c == a) continue;  // a face without an area cracks nothing
+    if (a == b || b == c || c == a) continue;  // a face without area is no crack
     bool odd = false;
     if (a > b) std::swap(a, b), odd = !odd;
     if (b > c) std::swap(b, c), odd = !odd;
@@ -56,7 +56,7 @@ Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& exclude
   std::sort(result.pairs.begin(), result.pairs.end());
   if (result.pairs.empty()) return result;
 
-  std::fill(several.begin(), several.end(), 0);  // from here on: on a cracked face
+  std::fill(several.begin(), several.end(), 0);  // from here on it marks the points of cracked faces
   for (const auto& pair : result.pairs)
     for (const FaceId face : pair)
       for (const Index v : vertices_of(mesh, face)) several[v] = 1;
@@ -66,7 +66,7 @@ Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& exclude
     std::array<Index, 4> tet = closed.tets[t];
     for (Index& v : tet)
       if (several[v]) v = place[v];
-    if (differ(tet)) closed.tets[t] = tet;  // else it is flat and stays as it is
+    if (differ(tet)) closed.tets[t] = tet;  // otherwise it is flat and stays as it is
   }
   return result;
 }

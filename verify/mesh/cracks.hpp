@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cracks: faces in the same place whose tetrahedra would share them, had they not each points of their own.
-// Internal.
+// Cracks: coincident faces that are not shared, because each side has its own copies of the points. Internal.
 #pragma once
 
 #include <array>
@@ -14,16 +13,17 @@
 namespace tetproof::verify {
 
 struct Cracks {
-  /// Faces of one tetrahedron each whose vertices have the same coordinates and which are seen from opposite
-  /// sides; the lower first, ascending. Where three or more faces lie in one place none is listed.
+  /// Pairs of boundary faces whose vertices have the same coordinates and whose tetrahedra lie on opposite
+  /// sides. The lower face comes first; the list is ascending. Where three or more faces coincide, none is
+  /// listed.
   std::vector<std::array<FaceId, 2>> pairs;
-  /// The mesh with the cracks closed: of points in one place, on cracked faces, every tetrahedron names the
-  /// first. Points and tetrahedra keep their positions. Absent without cracks.
+  /// The mesh with the cracks closed: where several points on cracked faces coincide, every tetrahedron names
+  /// the first of them. Points and tetrahedra keep their positions. Absent if there are no cracks.
   std::optional<TetMesh> closed;
 };
 
-/// `boundary`: the faces of one tetrahedron only; `same_place`: sets of points with equal coordinates, each
-/// ascending. 24 bytes a boundary face with such a point.
+/// `boundary`: the faces of exactly one tetrahedron. `same_place`: sets of points with equal coordinates,
+/// each ascending. Needs 24 bytes for each boundary face that has such a point.
 Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
                    std::span<const FaceId> boundary, const std::vector<std::vector<Index>>& same_place);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Face matching in linear time: faces are dealt to ranges of their smallest vertex, each range is put in
-// order by that vertex, and the few faces that share it are sorted by the other two.
+// Matches faces in linear time. Each face goes to the range that holds its smallest vertex. Each range is
+// sorted by that vertex, and the few faces that share it are sorted by their other two vertices.
 #include "verify/mesh/faces.hpp"
 
 #include <fmt/core.h>
@@ -20,7 +20,7 @@ namespace tetproof::verify {
 namespace {
 
 struct Record {
-  std::uint64_t key;  // middle vertex, largest vertex, and whether the face runs against their order
+  std::uint64_t key;  // middle vertex, largest vertex, and whether an odd permutation sorted the vertices
   std::uint32_t smallest;
   FaceId face;
 };
@@ -41,8 +41,8 @@ bool before(const Record& a, const Record& b) {
   return a.key != b.key ? a.key < b.key : a.face < b.face;
 }
 
-// Room for the records, uninitialised. In large pages where the system has them: faulting 64 bytes a
-// tetrahedron in by 4 KiB takes a third as long as the matching itself.
+// Uninitialised memory for the records, in large pages where the system has them. With pages of 4 KiB, the
+// page faults for 64 bytes a tetrahedron take a third as long as the matching itself.
 struct Room {
   explicit Room(std::size_t count) {
     constexpr std::size_t page = std::size_t{1} << 21;
@@ -57,13 +57,14 @@ struct Room {
   std::unique_ptr<Record[], Free> memory;
 };
 
-// The faces of one vertex are a dozen or two, but a fan may have a million.
+// A vertex usually has a dozen or two of these faces, but a fan may have a million.
 void sort_faces_of_vertex(Record* begin, Record* end) {
   if (end - begin > 48) return std::sort(begin, end, before);
   for (Record* i = begin + 1; i < end; ++i) {
     const Record record = *i;
     Record* j = i;
-    for (; j > begin && record.key < j[-1].key; --j) *j = j[-1];  // stable: faces ascend already
+    for (; j > begin && record.key < j[-1].key; --j)
+      *j = j[-1];  // stable, so equal keys keep ascending faces
     *j = record;
   }
 }
@@ -78,7 +79,7 @@ void append(FaceGroups& groups, const FaceGroups& more) {
   groups.faces.insert(groups.faces.end(), more.faces.begin(), more.faces.end());
 }
 
-// The records of one range of smallest vertices, in any order.
+// Matches the records of one range of smallest vertices. They come in any order.
 void match_range(const Record* begin, const Record* end, std::uint32_t lowest, std::uint32_t width,
                  FaceMatching& found) {
   std::vector<std::uint32_t> start(width + 1, 0);
@@ -112,7 +113,7 @@ FaceMatching match_faces(const TetMesh& mesh, const std::vector<std::uint8_t>& e
   if (tets >= std::size_t{1} << 30)
     throw InputError(fmt::format("{} tetrahedra, at most 2^30 - 1 are supported", tets));
 
-  // Ranges of a power of two of vertices, some 8000 faces each, so that a range's work stays in the cache.
+  // Each range has a power of two of vertices and some 8000 faces, so that its work stays in the cache.
   const std::size_t points = std::max<std::size_t>(mesh.points.size(), 1);
   int shift = 0;
   while ((points >> shift) * 8192 > 4 * tets && (std::size_t{1} << shift) < points) ++shift;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Face matching: which faces two tetrahedra share, which one has alone, and which do not fit. Internal.
+// Matches the faces of tetrahedra: shared faces, boundary faces, and faces that do not match. Internal.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tetproof::verify {
 
-/// A face of a tetrahedron: 4 * tetrahedron + position in `tet_faces`.
+/// A face of a tetrahedron: 4 * (position of the tetrahedron) + position in `tet_faces`.
 using FaceId = std::uint32_t;
 inline constexpr Index tet_of(FaceId face) {
   return static_cast<Index>(face >> 2);
@@ -22,10 +22,10 @@ inline std::array<Index, 3> vertices_of(const TetMesh& mesh, FaceId face) {
   return {tet[corners[0]], tet[corners[1]], tet[corners[2]]};
 }
 
-/// Sets of faces with the same three vertices, one after the other.
+/// Groups of faces with the same three vertices, stored one after the other.
 struct FaceGroups {
   std::vector<FaceId> faces;
-  std::vector<std::size_t> starts;  ///< of each group in `faces`
+  std::vector<std::size_t> starts;  ///< where each group begins in `faces`
 
   std::size_t size() const { return starts.size(); }
   std::span<const FaceId> operator[](std::size_t i) const {
@@ -35,14 +35,14 @@ struct FaceGroups {
 };
 
 struct FaceMatching {
-  std::vector<FaceId> boundary;  ///< of one tetrahedron only; ascending
-  FaceGroups thrice;             ///< of three or more tetrahedra
-  FaceGroups same_side;          ///< of two that induce the same orientation
+  std::vector<FaceId> boundary;  ///< faces of exactly one tetrahedron, ascending
+  FaceGroups thrice;             ///< faces of three or more tetrahedra
+  FaceGroups same_side;          ///< faces of two tetrahedra that induce the same orientation
 };
 
-/// Matches the faces of all tetrahedra but the excluded ones (`excluded` empty: none), whose four vertices
-/// must be different positions in `mesh.points`. Linear time; 64 bytes a tetrahedron besides the mesh.
-/// InputError beyond 2^30 - 1 tetrahedra.
+/// Matches the faces of all tetrahedra except the excluded ones (`excluded` empty: none). The four vertices
+/// of each tetrahedron must be different positions in `mesh.points`. Takes linear time and 64 bytes for each
+/// tetrahedron in addition to the mesh. Throws InputError beyond 2^30 - 1 tetrahedra.
 FaceMatching match_faces(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded);
 
 }  // namespace tetproof::verify

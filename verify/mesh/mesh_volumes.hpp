@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mesh's boundary encloses: the volume of each sheet and of the mesh. Internal.
+// The volumes that the sheets of a mesh's boundary enclose, and the volume of the mesh. Internal.
 #pragma once
 
 #include "verify/mesh/boundary.hpp"
@@ -8,8 +8,8 @@
 
 namespace tetproof::verify {
 
-/// Exact volumes of the boundary's sheets and, as the last set, of the faces that do not match. Faces that
-/// two tetrahedra share with opposite orientations cancel, so that the sum over all sets is the sum of the
+/// Exact volumes of the boundary's sheets. The last set holds the faces that do not match. Faces that two
+/// tetrahedra share with opposite orientations cancel, so the sum over all sets is the sum of the
 /// tetrahedra's signed volumes.
 struct MeshVolumes {
   ExactVolumes sets;
@@ -23,8 +23,8 @@ inline MeshVolumes mesh_volumes(const TetMesh& mesh, const Boundary& boundary) {
   return {ExactVolumes(mesh.points, boundary.triangles, set_of, sheets + 1), std::vector<int>(sheets + 1, 1)};
 }
 
-/// Components, cavities and genus of a boundary that is closed and all of whose faces match, and its volume
-/// rounded once. Of the counts, the boundary's faces alone.
+/// The number of boundary faces and the volume, rounded once. If the boundary is closed and all faces match,
+/// also the components, cavities and genus. Other counts of the shape are left at 0.
 Shape shape_of(const Boundary& boundary, const MeshVolumes& volumes);
 
 }  // namespace tetproof::verify

@@ -13,7 +13,7 @@ Orientations orientations(const TetMesh& mesh, const std::vector<std::uint8_t>& 
     const Eigen::Vector3d& p = mesh.points[static_cast<std::size_t>(i)];
     return Kernel::Point_3(p.x(), p.y(), p.z());
   };
-  // A flat tetrahedron t is collected as 2 t, a negative one as 2 t + 1.
+  // A flat tetrahedron t is collected as 2 t, and a negative one as 2 t + 1.
   const auto found = collect_in_order<std::int64_t>(
       mesh.tets.size(), 16384, [&](std::size_t begin, std::size_t end, std::vector<std::int64_t>& bad) {
         for (std::size_t t = begin; t < end; ++t) {

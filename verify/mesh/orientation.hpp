@@ -13,8 +13,8 @@ struct Orientations {
   std::vector<Index> negative, flat;  ///< ascending
 };
 
-/// Exact signs of (b-a) x (c-a) . (d-a); `excluded` tetrahedra (empty: none) are left out, all others must
-/// name finite points.
+/// Finds the tetrahedra for which (b-a) x (c-a) . (d-a) is negative or zero, exactly. Leaves out the
+/// `excluded` tetrahedra (empty: none); all others must name finite points.
 Orientations orientations(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded);
 
 }  // namespace tetproof::verify

@@ -20,7 +20,7 @@ constexpr std::array parts{0.,   1e-6, 1e-5, 1e-4, 1e-3, 2e-3, 5e-3, 0.01,
                            0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1,  0.2};
 constexpr std::array ratios{1., 1.5, 2., 2.5, 3., 4., 6., 10., 15., 40., 100., 1e3, 1e4, 1e6};
 
-// Counts and extremes only, so that adding up in another order gives the same.
+// Holds counts and extremes only, so that the order of addition does not matter.
 template <std::size_t N>
 struct Tally {
   double min = std::numeric_limits<double>::infinity(), max = -min;
@@ -53,15 +53,15 @@ struct Tallies {
     const double det = (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]);  // six volumes
     if (!(det > 0) || !std::isfinite(det)) return;
     ++tets;
-    std::array<Eigen::Vector3d, 4> normal;  // outward, twice the area long
+    std::array<Eigen::Vector3d, 4> normal;  // outward; their length is twice the face's area
     double normals = 0, longest = 0;
     for (int f = 0; f < 4; ++f) {
       const auto& [a, b, c] = tet_faces[f];
       normal[f] = (p[b] - p[a]).cross(p[c] - p[a]);
       normals += normal[f].norm();
     }
-    // Faces i and j are opposite to vertices i and j and share the edge of the other two: |n_i x n_j| = det
-    // |edge|.
+    // Faces i and j are opposite to vertices i and j. They share the edge between the other two vertices:
+    // |n_i x n_j| = det |edge|.
     std::array<double, 4> around{};  // sums of the dihedral angles at each vertex
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
@@ -75,8 +75,8 @@ struct Tallies {
       }
     for (const double sum : around)
       solid.add(std::max(0.0, (sum - std::numbers::pi) / (4 * std::numbers::pi)), parts);
-    aspect.add(longest * normals / (det * (2 * std::sqrt(6.0))),
-               ratios);  // inradius = 3 V / areas = det / normals
+    // The inradius is 3 V / (sum of areas) = det / normals.
+    aspect.add(longest * normals / (det * (2 * std::sqrt(6.0))), ratios);
   }
   void join(const Tallies& other) {
     tets += other.tets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Angles and aspect ratios of the tetrahedra. Internal.
+// Measures the angles and aspect ratios of tetrahedra. Internal.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,8 @@
 
 namespace tetproof::verify {
 
+/// Only tetrahedra with a positive, finite determinant in double arithmetic are measured and counted; the
+/// `excluded` ones (empty: none) are left out.
 Quality measure_quality(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded);
 
 }  // namespace tetproof::verify

@@ -19,7 +19,7 @@ std::vector<RegionAccount> account_of_regions(const TetMesh& mesh, const std::ve
   std::vector<RegionAccount> accounts;
   if (tets.empty() || tets.front().first == tets.back().first) return accounts;
 
-  std::vector<Index> place(mesh.points.size(), -1);  // of a point in the region at hand
+  std::vector<Index> place(mesh.points.size(), -1);  // of a point in the current region; -1: not in it
   for (std::size_t first = 0, last; first < tets.size(); first = last) {
     TetMesh part;
     std::vector<Index> used;

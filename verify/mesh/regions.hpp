@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The account of each region of a mesh. Internal.
+// An account of each region of a mesh: its counts, volume and shape. Internal.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace tetproof::verify {
 
-/// `regions` names the region of each tetrahedron; those that are excluded (empty: none) belong to none. By
-/// their tags; empty for fewer than two. Linear time, however many regions there are.
+/// `regions` holds the region's tag of each tetrahedron; `excluded` tetrahedra (empty: none) belong to no
+/// region. The accounts are sorted by tag. The result is empty if there are fewer than two regions. Takes O(n
+/// log n) time for n tetrahedra, however many regions there are.
 std::vector<RegionAccount> account_of_regions(const TetMesh& mesh, const std::vector<std::int64_t>& regions,
                                               const std::vector<std::uint8_t>& excluded);
 

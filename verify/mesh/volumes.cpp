@@ -15,10 +15,10 @@
 namespace tetproof::verify {
 namespace {
 
-using Exact = CGAL::Mpzf;  // sums and products of doubles without rounding; so the order of a parallel sum
-                           // does not matter
+// Sums and products of doubles without rounding. So the order of a parallel sum does not matter.
+using Exact = CGAL::Mpzf;
 
-// The double nearest to q, ties to even; infinite beyond the range.
+// The double nearest to q, ties to even; infinite if q is beyond the range of doubles.
 double nearest(const CGAL::Gmpq& q) {
   const double truncated = mpq_get_d(q.mpq());  // rounds towards zero
   if (!std::isfinite(truncated)) return truncated;
@@ -53,7 +53,7 @@ ExactVolumes::ExactVolumes(std::span<const Eigen::Vector3d> points, std::span<co
                            std::span<const Index> set_of, std::size_t sets)
     : sums_(std::make_unique<Sums>()) {
   sums_->six_volumes.assign(sets, Exact(0));
-  // Pieces add up their own sets first: consecutive triangles belong to few.
+  // Each thread first adds up runs of triangles of one set: consecutive triangles belong to few sets.
   struct Part {
     Index set;
     Exact sum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact volumes of closed sheets of triangles, rounded once. Internal.
+// Exact volumes of closed sheets of triangles, rounded only at the end. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,11 +11,13 @@
 
 namespace tetproof::verify {
 
-/// The exact signed volumes [length^3] that sets of oriented triangles enclose; each set must have no border
-/// (every edge is run as often in one direction as in the other), else its volume depends on the origin.
+/// The exact signed volumes [length^3] that sets of oriented triangles enclose. Each set must have no border:
+/// its triangles run along every edge equally often in both directions. Otherwise its volume depends on the
+/// origin.
 class ExactVolumes {
  public:
-  /// Triangle t belongs to set `set_of[t]`, or to none if that is negative; an empty `set_of`: all to set 0.
+  /// Triangle t belongs to set `set_of[t]`, or to no set if that is negative. If `set_of` is empty, all
+  /// triangles belong to set 0.
   ExactVolumes(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                std::span<const Index> set_of, std::size_t sets);
   ~ExactVolumes();
@@ -23,12 +25,13 @@ class ExactVolumes {
   ExactVolumes& operator=(ExactVolumes&&) noexcept;
 
   int sign(std::size_t set) const;
-  double volume(std::size_t set) const;                     ///< the double nearest to it, ties to even
-  double weighted_sum(std::span<const int> weights) const;  ///< of weights[i] * volume i, the nearest double
-  /// This weighted sum less another's, the nearest double to the exact difference.
+  double volume(std::size_t set) const;  ///< the double nearest to the exact volume, ties to even
+  /// The double nearest to the exact sum of weights[i] * volume i.
+  double weighted_sum(std::span<const int> weights) const;
+  /// This weighted sum minus the weighted sum of `other`: the double nearest to the exact difference.
   double difference(std::span<const int> weights, const ExactVolumes& other,
                     std::span<const int> other_weights) const;
-  /// Order of the sets' absolute volumes: negative, zero or positive as |volume i| <, = or > |volume j|.
+  /// Compares absolute volumes: negative, zero or positive if |volume i| <, = or > |volume j|.
   int compare_size(std::size_t i, std::size_t j) const;
 
  private:

@@ -23,10 +23,10 @@ Point cross(const Point& p, const Point& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-// A tetrahedron as its corners and as four half-spaces.
+// A tetrahedron as four corners and as four half-spaces.
 struct Tetrahedron {
   std::array<Point, 4> corners;
-  std::array<Point, 4> inwards;  // normal of the face opposite to each corner
+  std::array<Point, 4> inwards;  // the inward normal of the face opposite to each corner
 
   Tetrahedron(std::span<const Eigen::Vector3d> points, const std::array<Index, 4>& tet) {
     for (int i = 0; i < 4; ++i)
@@ -53,7 +53,8 @@ struct Tetrahedron {
   }
 };
 
-// Corners of the common part: one's corners in the other, and where one's edges pass the other's faces.
+// Adds corners of the common part: corners of `one` inside `other`, and points where edges of `one` cross
+// faces of `other`.
 void add_corners(const Tetrahedron& one, const Tetrahedron& other, std::vector<Point>& corners) {
   for (int i = 0; i < 4; ++i) {
     if (other.holds(one.corners[i])) corners.push_back(one.corners[i]);
@@ -96,7 +97,8 @@ std::optional<Witness> common_point(std::span<const Eigen::Vector3d> points, con
   add_corners(a, b, corners);
   add_corners(b, a, corners);
   if (corners.empty()) return std::nullopt;
-  // The mean of a convex body's corners, however often each is counted, is inside if anything is.
+  // If a convex body has an interior, the mean of its corners lies in it, however often each corner is
+  // counted.
   Point mean{Rational(0), Rational(0), Rational(0)};
   for (const Point& p : corners)
     for (int k = 0; k < 3; ++k) mean[k] += p[k];

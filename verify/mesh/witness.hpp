@@ -17,9 +17,9 @@ struct Witness {
   std::array<std::string, 3> exact;  ///< rationals "n/d" in lowest terms
 };
 
-/// A point strictly inside both tetrahedra, of either orientation; none if they have no volume in common.
-/// Exact: the mean of the corners of what they have in common, or the double nearest to it where that is
-/// inside, too.
+/// A point strictly inside both tetrahedra; nothing if they have no volume in common. Either orientation is
+/// allowed. Exact: the point is a mean of corners of the common part, or the nearest point with double
+/// coordinates if that is also inside both.
 std::optional<Witness> common_point(std::span<const Eigen::Vector3d> points, const std::array<Index, 4>& one,
                                     const std::array<Index, 4>& other);
 

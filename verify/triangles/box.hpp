@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box of a triangle, as CGAL's box_intersection_d wants it. Internal.
+// The bounding box of a triangle, in the form that CGAL's box_intersection_d needs. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,9 @@
 
 namespace tetproof::verify {
 
-/// CGAL's BoxIntersectionBox_d. (Its own boxes take their identity from an address, which changes as they are
-/// sorted, or from a global counter.) The numbers of all boxes of one search must be different.
+/// A model of CGAL's concept BoxIntersectionBox_d. All boxes of one search need different numbers. (CGAL's
+/// own boxes identify themselves by their address, which changes when they are sorted, or by a global
+/// counter.)
 struct Box {
   using NT = double;
   using ID = std::size_t;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parallel collection whose result does not depend on the number of threads: pieces of fixed size, joined in
-// their order. Internal.
+// Parallel collection with the same result for any number of threads. Internal.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -12,8 +11,8 @@
 
 namespace tetproof::verify {
 
-/// Calls `collect(begin, end, found)` for pieces of [0, n) and joins what each pushed to its `found`, in
-/// order.
+/// Cuts [0, n) into pieces of fixed size, calls `collect(begin, end, found)` for each, and joins their lists
+/// `found` in the order of the pieces.
 template <class T, class Collect>
 std::vector<T> collect_in_order(std::size_t n, std::size_t piece, const Collect& collect) {
   const std::size_t pieces = (n + piece - 1) / piece;

@@ -84,7 +84,7 @@ Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>&
   Sets sheet_of(triangles.size()), fan_of(3 * triangles.size());
   for (Side s = 0; s < static_cast<Side>(mate.size()); ++s) {
     const Side other = mate[s];
-    if (other < s) continue;  // no mate, or done from the other side
+    if (other < s) continue;  // it has no mate, or the mate has been here already
     sheet_of.unite(s / 3, other / 3);
     const bool opposite = from(triangles, s) == to(triangles, other);
     fan_of.unite(s, opposite ? next(other) : other);
@@ -99,8 +99,8 @@ Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>&
       result.of_triangle[t] = static_cast<Index>(result.sheets.size());
       result.sheets.push_back({.first_triangle = static_cast<Index>(t)});
     }
-    result.of_triangle[t] =
-        result.of_triangle[root];  // the representative is the lowest, so it has its number already
+    // The representative is the lowest member, so it already has its sheet.
+    result.of_triangle[t] = result.of_triangle[root];
     Sheet& sheet = result.sheets[result.of_triangle[t]];
     ++sheet.triangles;
     for (Side s = static_cast<Side>(3 * t); s < static_cast<Side>(3 * t + 3); ++s) {
@@ -112,6 +112,14 @@ Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>&
   }
   std::sort(result.vertices_of_fans.begin(), result.vertices_of_fans.end());
   return result;
+}
+
+std::vector<Index> repeated(const std::vector<Index>& ascending) {
+  std::vector<Index> several;
+  for (std::size_t i = 1; i < ascending.size(); ++i)
+    if (ascending[i] == ascending[i - 1] && (several.empty() || several.back() != ascending[i]))
+      several.push_back(ascending[i]);
+  return several;
 }
 
 }  // namespace tetproof::verify

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How triangles hang together: edges with their triangles, sheets, and the fans at a vertex. Internal.
+// Connectivity of triangles: the triangles at each edge, connected sheets, and the fans at each vertex.
+// Internal.
 #pragma once
 
 #include <array>
@@ -23,22 +24,23 @@ inline Index to(std::span<const Triangle> triangles, Side s) {
   return triangles[static_cast<std::size_t>(s / 3)][static_cast<std::size_t>((s + 1) % 3)];
 }
 
-/// Edges are listed by their lower, then their higher vertex.
+/// All lists are sorted by the edge's lower vertex, then by its higher vertex.
 struct EdgeMatching {
-  std::vector<Side> mate;  ///< the other side at an edge of exactly two triangles, else no_side
+  /// For each side: the other side, if its edge has exactly two triangles; else no_side.
+  std::vector<Side> mate;
   std::vector<Side> open;  ///< edges of one triangle
-  std::vector<std::array<Side, 2>>
-      same_direction;  ///< edges of two triangles that run along it in the same direction
-  std::vector<std::vector<Side>> nonmanifold;  ///< edges of three or more
+  /// Edges of two triangles that both run along the edge in the same direction.
+  std::vector<std::array<Side, 2>> same_direction;
+  std::vector<std::vector<Side>> nonmanifold;  ///< edges of three or more triangles
 };
 
-/// Triangles name vertices in [0, vertices), three different ones each, or are left out (`excluded` empty:
-/// none).
+/// Matches the sides of all triangles except those marked in `excluded` (empty: none). Each of them must name
+/// three different vertices in [0, vertices).
 EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertices,
                          const std::vector<std::uint8_t>& excluded = {});
 
-/// A set of triangles that hang together through mates. Every vertex counts once for each fan of triangles
-/// around it.
+/// A set of triangles that are connected through mates. A vertex counts once for each fan of triangles around
+/// it.
 struct Sheet {
   Index first_triangle = 0;
   std::int64_t triangles = 0, vertices = 0, open_sides = 0;
@@ -49,12 +51,16 @@ struct Sheet {
 
 struct Sheets {
   std::vector<Index> of_triangle;  ///< a position in `sheets`; -1 for an excluded triangle
-  std::vector<Sheet> sheets;       ///< by their lowest triangle
-  std::vector<Index>
-      vertices_of_fans;  ///< the vertex of every fan; one with two fans stands twice; ascending
+  std::vector<Sheet> sheets;       ///< sorted by their lowest triangle
+  /// The vertex of every fan, ascending. A vertex with two fans is listed twice.
+  std::vector<Index> vertices_of_fans;
 };
 
+/// Finds the sheets and fans that `mate` connects, without the triangles marked in `excluded` (empty: none).
 Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>& mate,
                    const std::vector<std::uint8_t>& excluded = {});
+
+/// The vertices that an ascending list names twice or more, each once.
+std::vector<Index> repeated(const std::vector<Index>& ascending);
 
 }  // namespace tetproof::verify

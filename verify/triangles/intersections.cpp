@@ -16,12 +16,12 @@
 namespace tetproof::verify {
 namespace {
 
-// The boxes dealt to slabs across one axis, so that slabs can be searched by themselves. A box is in every
-// slab that it reaches; a pair belongs to the later of the slabs in which its two boxes begin, and both reach
-// that one.
+// Slabs perpendicular to one axis, each of which is searched independently. A box belongs to every slab that
+// it reaches. A pair is counted in one slab only: in the later of the two slabs in which its boxes begin.
+// Both boxes reach that slab.
 struct Slabs {
   int axis = 0;
-  std::vector<double> splits;  // where all slabs but the first begin
+  std::vector<double> splits;  // where each slab begins, from the second on
 
   std::uint32_t slab_of(double x) const {
     return static_cast<std::uint32_t>(std::upper_bound(splits.begin(), splits.end(), x) - splits.begin());
@@ -30,8 +30,8 @@ struct Slabs {
 
 Slabs make_slabs(const std::vector<Box>& boxes) {
   constexpr std::size_t boxes_each = 16384;
-  // The axis across which boxes are thinnest; so many slabs that boxes reach about one more than they begin
-  // in.
+  // The axis along which the boxes are thinnest. The number of slabs is limited so that, on average, a box
+  // reaches about one slab more than the one in which it begins.
   Slabs slabs;
   double reach = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -57,7 +57,7 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
   return slabs;
 }
 
-// The first `most` in order, each once.
+// Sorts the list, removes repeated items and keeps the first `most`.
 template <class T>
 void keep_first(std::vector<T>& list, std::size_t most) {
   std::sort(list.begin(), list.end());
@@ -78,8 +78,8 @@ void keep_first(Intersections& all, std::size_t most) {
   keep_first(all.near, most);
 }
 
-// Some pairs that meet, at least one, where there are very many: each triangle with those before it, until
-// there are enough, or too much was compared.
+// Finds some of very many pairs that meet, at least one: compares each triangle with those before it until
+// there are enough pairs or too many comparisons.
 std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
                                              std::span<const Triangle> triangles,
                                              const std::vector<Box>& boxes, std::size_t enough) {
@@ -104,7 +104,7 @@ std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> po
 
 struct TooManyPairs {};
 
-// Counts up to most_counted_pairs, from many threads, and then ends the search.
+// Counts pairs from many threads. Ends the search by an exception after most_counted_pairs.
 class Counter {
  public:
   void count_one() {
@@ -171,15 +171,16 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, most);
         };
         try {
-          // Below the cutoff it sweeps instead of splitting further; 1000 takes half the time of its
-          // default, 10.
+          // Below the cutoff CGAL sweeps instead of splitting further. A cutoff of 1000 halves the time of
+          // the default, 10.
           CGAL::box_self_intersection_d(mine.begin(), mine.end(), meet,
                                         CGAL::Box_intersection_d::Box_traits_d<Box>(), 1000,
                                         CGAL::Box_intersection_d::CLOSED);
         } catch (const TooManyPairs&) {
           return;
         }
-        // The first of a union are the first of its parts' first, in whatever order the parts come.
+        // The first items of the union are among the first items of its parts, so the order of the parts does
+        // not matter.
         const std::lock_guard lock(joining);
         const auto join = [&](auto& all, const auto& part) {
           all.insert(all.end(), part.begin(), part.end());
@@ -193,7 +194,8 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         join(result.near, found.near);
       },
       tbb::simple_partitioner());
-  // Whether there are too many does not depend on the threads; which were found first does.
+  // Whether there are too many pairs does not depend on the threads. Which of them were found first does, so
+  // these lists are not used.
   if (near && near_pairs.too_many()) {
     result = self_intersections(points, triangles, excluded, most);
     result.more_near = true;

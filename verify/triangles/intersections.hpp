@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for all pairs of triangles that meet, or that are near each other. Internal.
+// Finds all pairs of triangles that meet or are near each other. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,33 +9,36 @@
 #include <vector>
 
 #include "verify/triangles/edges.hpp"
-#include "verify/triangles/nearby.hpp"
-#include "verify/triangles/nearness.hpp"
+#include "verify/triangles/near_distance.hpp"
+#include "verify/triangles/near_pairs.hpp"
 #include "verify/triangles/triangle_pairs.hpp"
 
 namespace tetproof::verify {
 
-/// The search ends at so many pairs that meet, and that for what is near at so many of those: there are
-/// quadratically many in a mesh of random numbers.
+/// The search stops at this many pairs that meet, and at this many pairs that are near: a mesh of random
+/// numbers has quadratically many of them.
 inline constexpr std::int64_t most_counted_pairs = 1'000'000;
 
-/// All lists ascend, and hold the first `most` at most.
+/// All lists are ascending and hold no more than the first `most` items.
 struct Intersections {
-  bool more = false;       ///< there are more than most_counted_pairs: `count` is that number, and only some
-                           ///< `pairs` are kept
-  std::int64_t count = 0;  ///< of pairs that meet
-  std::vector<std::array<Index, 2>> pairs;  ///< those, lower triangle first
-  bool more_near = false;  ///< more than most_counted_pairs are near: what follows is not told
-  // Only when asked for what is near:
-  std::vector<Contact> contacts;  ///< each once; of triangles that meet, too
-  std::vector<std::array<Index, 2>>
-      folds;  ///< with a common edge, and meet, or are near where two others cross
-  std::int64_t near_count = 0;
-  std::vector<std::array<Index, 2>> near;  ///< without a common vertex, and near without meeting
+  /// More than most_counted_pairs meet: `count` is most_counted_pairs, and `pairs` has only some of them.
+  bool more = false;
+  std::int64_t count = 0;                   ///< number of pairs that meet
+  std::vector<std::array<Index, 2>> pairs;  ///< those pairs, the lower triangle first
+  /// More than most_counted_pairs are near: `contacts`, `folds` and `near` are empty.
+  bool more_near = false;
+
+  // Filled only if the caller asks for what is near:
+
+  std::vector<Contact> contacts;  ///< each once, also those of triangles that meet
+  /// Pairs with a common edge that meet, or two of whose other edges cross or nearly cross.
+  std::vector<std::array<Index, 2>> folds;
+  std::int64_t near_count = 0;             ///< number of pairs that belong in `near`
+  std::vector<std::array<Index, 2>> near;  ///< pairs without a common vertex that are near but do not meet
 };
 
-/// All pairs that meet; `excluded` triangles (the degenerate ones) are left out. With `near`, also what is
-/// near. Near-linear time plus the number of pairs whose boxes meet.
+/// Finds all pairs that meet; with `near`, also those that are near. Leaves out the `excluded` triangles (the
+/// degenerate ones). Takes near-linear time plus a constant for each pair whose boxes meet.
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                                  const std::vector<std::uint8_t>& excluded, std::size_t most = 100000,
                                  const Near* near = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/triangles/nearness.hpp"
+#include "verify/triangles/near_distance.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace tetproof::verify {
 namespace {
 
-// Where along the segment from 0 to `way` the point closest to p lies.
+// The position, 0 to 1, of the point closest to p on the segment from 0 to `way`.
 double share_along(const Eigen::Vector3d& p, const Eigen::Vector3d& way) {
   const double length = way.squaredNorm();
   return length > 0 ? std::clamp(p.dot(way) / length, 0.0, 1.0) : 0.0;
 }
 
 double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& way) {
-  // From the nearer end, so that what cancels is short.
+  // Measured from the nearer end, so that the vectors that cancel are short.
   if (p.dot(way) > 0.5 * way.squaredNorm()) return (p - way + share_along(way - p, way) * way).norm();
   return (p - share_along(p, way) * way).norm();
 }
@@ -56,12 +56,13 @@ double Near::to_triangle(Index v, const Triangle& t) const {
   const Eigen::Vector3d p = from(t[0], v), b = from(t[0], t[1]), c = from(t[0], t[2]);
   const Eigen::Vector3d normal = b.cross(c);
   const double length = normal.norm(), height = std::abs(normal.dot(p));
-  // A distance beyond what is near need not be exact. Below, a thin triangle's normal may point anywhere.
+  // A distance far above the limit need not be accurate. The code below also handles thin triangles, whose
+  // normal may point anywhere.
   if (height > 1e3 * limit_ * length && length > 1e-6 * b.norm() * c.norm()) return height / length;
   double least =
       std::min({distance_to_segment(p, b), distance_to_segment(p, c), distance_to_segment(p - b, c - b)});
-  // Straight above the inside: the foot is a mean of the corners, so that rounding moves it only within the
-  // triangle.
+  // If p lies straight above the inside, its foot is computed as a mean of the corners, so rounding moves it
+  // only within the triangle.
   const double wb = p.cross(c).dot(normal), wc = b.cross(p).dot(normal), area = normal.squaredNorm();
   if (wb >= 0 && wc >= 0 && wb + wc <= area && area > 0)
     least = std::min(least, (p - wb / area * b - wc / area * c).norm());
@@ -71,7 +72,7 @@ double Near::to_triangle(Index v, const Triangle& t) const {
 double Near::between_segments(Index a, Index b, Index c, Index d) const {
   double least =
       std::min({to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
-  // Both feet inside: then the segments are not parallel.
+  // The closest points may both lie inside the segments. The segments are then not parallel.
   const Eigen::Vector3d u = from(a, b), v = from(c, d), w = from(c, a);
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
   const double determinant = uu * vv - uv * uv;

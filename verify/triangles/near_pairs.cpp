@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/triangles/nearby.hpp"
+#include "verify/triangles/near_pairs.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,11 +15,11 @@ bool in_box(const Eigen::Vector3d& p, const Box& box) {
 
 }  // namespace
 
-// What is far from a triangle's plane, quickly; where its normal is not to be trusted nothing is.
+// A quick test for points far from a triangle's plane. If the normal is not reliable, no point counts as far.
 struct Nearby::Plane {
   Eigen::Vector3d origin, normal;
-  double bound =
-      std::numeric_limits<double>::infinity();  // of the square of what is near, times the normal's
+  // The square of twice the near distance, times the squared length of the normal.
+  double bound = std::numeric_limits<double>::infinity();
 
   Plane(const Nearby& all, const Triangle& t) : origin(all.at(t[0])) {
     const Eigen::Vector3d b = all.at(t[1]) - origin, c = all.at(t[2]) - origin;
@@ -40,9 +40,10 @@ struct Nearby::Plane {
   }
 };
 
-// A vertex beyond the line of a side by `margin_` / (length of the side) is farther than 2 room_ from the
-// triangle on its other side; and an end of the side is as far from a triangle that has its other end on the
-// line, and the rest beyond. Rounding is a thousand times smaller than the margin.
+// The area test puts a vertex beyond a side's line by at least `margin_` / (length of the side), so the
+// vertex is farther than 2 room_ from the triangle on the other side of that line. One end of the side may be
+// shared: the other triangle then has one vertex on the line and the rest beyond, and the side's other end is
+// as far from it. Rounding is a thousand times smaller than the margin.
 bool Nearby::wide_apart(const Triangle& first, const Triangle& second) const {
   const Eigen::Vector3d &a = at(first[0]), &b = at(first[1]), &c = at(first[2]);
   Eigen::Index along = 0;
@@ -87,8 +88,8 @@ bool Nearby::edges_near(const Triangle& s, const Triangle& t) const {
   return false;
 }
 
-// Of two triangles with a common edge: from an end of it to the one's apex, and from the other end to the
-// other's.
+// For two triangles with a common edge: whether the edge from one of its ends to one apex crosses, or nearly
+// crosses, the edge from the other end to the other apex.
 bool Nearby::edges_cross(const Triangle& s, int i, const Triangle& t, int k) const {
   const Index a = s[(i + 1) % 3], b = s[(i + 2) % 3];
   return segments_near(a, s[i], b, t[k]) || segments_near(b, s[i], a, t[k]);
@@ -98,7 +99,7 @@ PairNearness Nearby::look(const Box& x, const Box& y, bool meet) const {
   PairNearness found;
   const auto s = static_cast<Index>(x.number), t = static_cast<Index>(y.number);
   const Triangle &first = triangles_[x.number], &second = triangles_[y.number];
-  unsigned own_s = 0, own_t = 7;  // the vertices that the other does not have
+  unsigned own_s = 0, own_t = 7;  // bits of the vertices that the other triangle does not have
   for (int i = 0; i < 3; ++i) {
     bool common = false;
     for (int k = 0; k < 3; ++k)

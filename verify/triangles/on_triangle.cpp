@@ -10,7 +10,7 @@ bool on_triangle(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>&
   const auto point = [](const Eigen::Vector3d& x) { return Kernel::Point_3(x.x(), x.y(), x.z()); };
   const Kernel::Point_3 a = point(corners[0]), b = point(corners[1]), c = point(corners[2]), q = point(p);
   if (CGAL::orientation(a, b, c, q) != CGAL::COPLANAR) return false;
-  // In one plane: seen along an axis that the plane does not contain.
+  // All four points lie in one plane. Project them along an axis that the plane does not contain.
   for (int axis = 0; axis < 3; ++axis) {
     const auto flat = [&](const Eigen::Vector3d& x) {
       return Kernel::Point_2(x[(axis + 1) % 3], x[(axis + 2) % 3]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether points lie on triangles, exactly. Internal.
+// Exact test for a point on a triangle. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace tetproof::verify {
 
-/// Is p in the closed triangle? Exact; false for a triangle without area.
+/// Whether p lies in the closed triangle. Exact; false for a triangle without area.
 bool on_triangle(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners);
 
 }  // namespace tetproof::verify

@@ -19,7 +19,8 @@ Point point(std::span<const Eigen::Vector3d> points, Index i) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Points of one plane, seen along an axis that is not in it: cheaper there, and as exact.
+// Projects points of one plane along an axis that is not in the plane. Predicates in 2D are cheaper and as
+// exact.
 struct Projection {
   int i = 0, j = 1;
 
@@ -39,8 +40,8 @@ struct Projection {
 
 using Flat = Kernel::Point_2;
 
-// The segment against the closed triangle, both in a plane. Two convex sets are apart if a line along a side
-// of one of them separates them.
+// Whether a segment meets a closed triangle in the same plane. Two convex polygons are apart exactly if the
+// line along a side of one of them separates them.
 bool meets(const Flat& p, const Flat& q, const Flat& a, const Flat& b, const Flat& c) {
   const CGAL::Orientation inside = CGAL::orientation(a, b, c), outside = -inside;
   const auto beyond = [&](const Flat& u, const Flat& v) {
@@ -51,14 +52,14 @@ bool meets(const Flat& p, const Flat& q, const Flat& a, const Flat& b, const Fla
   return side == CGAL::COLLINEAR || CGAL::orientation(p, q, b) != side || CGAL::orientation(p, q, c) != side;
 }
 
-// The segment against the closed triangle.
+// Whether a segment meets a closed triangle.
 bool meets(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c) {
   return CGAL::do_intersect(Kernel::Segment_3(p, q), Kernel::Triangle_3(a, b, c));
 }
 
-// Whether a side of one triangle separates the shadows that both cast along an axis, but for vertices they
-// share. Then the triangles have nothing else in common. Most pairs end here, and neighbours that are all but
-// coplanar, where predicates in space need exact arithmetic, do so with doubles.
+// Whether the line through a side of one triangle separates the projections of both along an axis, except for
+// shared vertices. The triangles then have nothing else in common. This settles most pairs. It also settles
+// nearly coplanar neighbours in double arithmetic, where predicates in space would need exact arithmetic.
 bool shadows_apart(std::span<const Eigen::Vector3d> points, const Triangle& first, const Triangle& second) {
   const Eigen::Vector3d& a = points[static_cast<std::size_t>(first[0])];
   const Eigen::Vector3d normal =
@@ -100,7 +101,7 @@ Degenerate degenerate_triangles(std::span<const Eigen::Vector3d> points,
 
 bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& first, const Triangle& second) {
   if (shadows_apart(points, first, second)) return false;
-  // Common vertices to the front of both.
+  // Move the common vertices to the front of both.
   std::array<Index, 3> s = first, t = second;
   int common = 0;
   for (int i = 0; i < 3; ++i)
@@ -117,8 +118,8 @@ bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& fir
     case 0:
       return CGAL::do_intersect(Kernel::Triangle_3(a, b, c), Kernel::Triangle_3(p(t[0]), p(t[1]), p(t[2])));
     case 1: {
-      // A common part beyond the vertex runs from it to where one triangle ends: on its side opposite to the
-      // vertex.
+      // If they share more than the vertex, the common part runs from the vertex to the opposite side of one
+      // of the triangles.
       const Point e = p(t[1]), f = p(t[2]);
       const auto side_e = CGAL::orientation(a, b, c, e), side_f = CGAL::orientation(a, b, c, f);
       if (side_e == side_f) {
@@ -131,7 +132,7 @@ bool triangles_meet(std::span<const Eigen::Vector3d> points, const Triangle& fir
       return meets(e, f, a, b, c) || meets(b, c, a, e, f);
     }
     case 2: {
-      // Only when folded flat: in one plane and on the same side of the common edge.
+      // They meet only if folded flat: in one plane, and on the same side of the common edge.
       if (CGAL::orientation(a, b, c, p(t[2])) != CGAL::COPLANAR) return false;
       const Projection flat(points, s);
       const auto q = [&](Index i) { return flat(points, i); };

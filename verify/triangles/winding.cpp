@@ -33,13 +33,14 @@ Point centroid(std::span<const Eigen::Vector3d> points, const Triangle& t) {
   return sum;
 }
 
-// The component of (b-a) x (c-a) along an axis: twice the signed area of the projection along it.
+// The component of (b-a) x (c-a) along an axis: twice the signed area of the triangle's projection along that
+// axis.
 Exact normal(const Point& a, const Point& b, const Point& c, int axis) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
 }
 
-// Six times the volume of a tetrahedron, times 27.
+// Six times the volume of a tetrahedron, times 27 for the scaled coordinates.
 Exact determinant(std::span<const Eigen::Vector3d> points, const std::array<Index, 4>& tet) {
   const Point a = scaled(points[tet[0]]), b = scaled(points[tet[1]]), c = scaled(points[tet[2]]),
               d = scaled(points[tet[3]]);
@@ -57,8 +58,8 @@ struct Ray {
 Ray ray_from(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, Index start) {
   const Triangle& t = triangles[start];
   const Point a = scaled(points[t[0]]), b = scaled(points[t[1]]), c = scaled(points[t[2]]);
-  // Any axis that is not in the triangle's plane will do; the steepest by doubles first, as its projection is
-  // fattest.
+  // Any axis that is not in the triangle's plane is good. The one closest to the normal, by doubles, comes
+  // first, because its projection has the largest area.
   const Eigen::Vector3d n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
   Ray ray{start, centroid(points, t), 0, 0};
   n.cwiseAbs().maxCoeff(&ray.axis);
@@ -69,8 +70,8 @@ Ray ray_from(std::span<const Eigen::Vector3d> points, std::span<const Triangle> 
   return ray;
 }
 
-// On which side of the projected line from a to b the origin lies, moved by (e, e^2) for an infinitesimal e;
-// 0 if a = b.
+// The side of the projected line from a to b on which the ray's origin lies, moved by (e, e^2) for an
+// infinitesimal e; 0 if a = b.
 int side(const Point& a, const Point& b, const Ray& ray) {
   const int exactly = static_cast<int>(CGAL::sign(normal(a, b, ray.origin, ray.axis)));
   if (exactly != 0) return exactly;
@@ -84,13 +85,13 @@ int crossing(std::span<const Eigen::Vector3d> points, const Triangle& t, const R
   const Point a = scaled(points[t[0]]), b = scaled(points[t[1]]), c = scaled(points[t[2]]);
   const int facing = side(a, b, ray);
   if (facing == 0 || side(b, c, ray) != facing || side(c, a, ray) != facing) return 0;
-  Exact height = 0;  // of the origin over the triangle's plane, times the normal's length
+  Exact height = 0;  // height of the origin over the triangle's plane, times the normal's length
   for (int k = 0; k < 3; ++k) height += normal(a, b, c, k) * (ray.origin[k] - a[k]);
   const int ahead = -static_cast<int>(CGAL::sign(height)) * facing * ray.direction;  // along the ray
   return ahead > 0 ? facing * ray.direction : 0;
 }
 
-// A box around the ray: an enclosure of the origin, open towards its direction.
+// A box around the ray: an enclosure of its origin, infinite in its direction.
 Box box_of(const Ray& ray, std::size_t number) {
   Box box{{}, {}, number};
   for (int k = 0; k < 3; ++k) {
@@ -112,7 +113,7 @@ std::vector<std::vector<Crossing>> cast_rays(std::span<const Eigen::Vector3d> po
     rays.push_back(ray_from(points, triangles, start));
     ray_boxes.push_back(box_of(rays.back(), triangles.size() + ray_boxes.size()));
   }
-  // Few rays pass few triangles; the others need not be sorted.
+  // A few rays pass few triangles. The others need not be sorted.
   Box all = ray_boxes.empty() ? Box{} : ray_boxes[0];
   for (const Box& box : ray_boxes)
     for (int k = 0; k < 3; ++k) {
@@ -172,7 +173,7 @@ Index tet_inside(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
               inwards{normal(a, c, b, 0), normal(a, c, b, 1), normal(a, c, b, 2)};
   Eigen::Vector3d low, high;
   for (int k = 0; k < 3; ++k) std::tie(low[k], high[k]) = CGAL::to_interval(CGAL::Gmpq(origin[k]) / 3);
-  // Inside every face, or on it and on the way inwards.
+  // The point must lie inside each face's plane, or on the plane with `inwards` not leading out.
   const auto contains = [&](const std::array<Index, 4>& tet) {
     for (const auto& corners : tet_faces) {
       const Point p = scaled(points[tet[corners[0]]]), q = scaled(points[tet[corners[1]]]),

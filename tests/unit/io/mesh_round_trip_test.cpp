@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/scanner.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/msh/numbers.hpp"

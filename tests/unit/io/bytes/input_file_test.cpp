@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers from text against the C library, the scanner's lines and words, files and pipes.
+// Numbers in text against the C library; the scanner's lines and words; files and pipes.
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -27,7 +28,7 @@ testing::AssertionResult same(double a, double b) {
   return testing::AssertionFailure() << testing::PrintToString(a) << " is not " << testing::PrintToString(b);
 }
 
-// What strtod makes of the text, in the C locale that tests run in.
+// The value that strtod gives for the text. Tests run in the C locale.
 void expect_as_strtod(const std::string& text) {
   double value = -7;
   ASSERT_TRUE(parse_real(text, value)) << text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long texts are read by several threads where every line is plain. A vertical tab is a blank, and not a
-// plain one, so that the same file with one is read word by word: both must say the same.
+// Long texts are read by several threads if every line is plain. A vertical tab is a blank but not a plain
+// one, so the same file with a vertical tab is read word by word. Both must give the same result.
 #include "io/bytes/plain_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace tetproof::test {
 namespace {
 
-// The text of each line, as pieces had it, or nothing where reading gave up.
+// The text of each line as the pieces contained it; nothing if reading gave up.
 std::optional<std::vector<std::string>> lines_read(const Source& source, std::size_t offset,
                                                    std::size_t count, std::size_t& behind) {
   std::vector<std::string> lines(count);
@@ -133,14 +133,14 @@ Lines msh41(std::mt19937_64& random) {
     for (int i = 0; i < 20000; ++i) {
       std::string line = std::to_string((each - 3) * 20000 + i + 1);
       for (int k = 0; k < each; ++k) line += fmt::format(" {}", 1 + random() % 9000);
-      lines.push_back(line + " ");  // as Gmsh ends them
+      lines.push_back(line + " ");  // as Gmsh ends its lines
     }
   }
   lines.push_back("$EndElements");
   return lines;
 }
 
-// `one_in`: so many elements on average between those that stand once more for each of up to three groups.
+// `one_in`: on average, one in so many elements is written again for each of up to three groups.
 Lines with_copies(const Lines& lines, std::size_t first, std::size_t one_in, std::mt19937_64& random) {
   Lines all(lines.begin(), lines.begin() + static_cast<int>(first));
   for (auto line = lines.begin() + static_cast<int>(first); *line != "$EndElements"; ++line) {
@@ -158,7 +158,7 @@ Lines with_copies(const Lines& lines, std::size_t first, std::size_t one_in, std
   return all;
 }
 
-// What reading comes to: the document and its warnings, or the message, without the file's name.
+// The result of reading, without the file's name: the document and its warnings, or the error message.
 std::string outcome(const std::function<Document()>& read, const std::string& folder) {
   std::string text;
   try {
@@ -213,7 +213,7 @@ void try_all(const Lines& lines, const std::vector<Section>& sections) {
   for (const Section& section : sections)
     for (const auto& [what, change] : oddities) {
       const std::size_t at = section.first + section.count / 2;
-      if (lines[at].find(' ') == std::string::npos) continue;  // one number a line
+      if (lines[at].find(' ') == std::string::npos) continue;  // the line has only one number
       Lines fast = lines, other = slow;
       change(fast, at), change(other, at);
       expect_same(fast, other, what);
@@ -250,7 +250,7 @@ TEST(PlainLines, Msh41) {
   try_all(lines, sections);
 }
 
-// In TetGen's files commas separate words as blanks do, and are not plain.
+// In TetGen's files commas separate words as blanks do, but they are not plain.
 TEST(PlainLines, Tetgen) {
   std::mt19937_64 random(3);
   for (const int each : {4, 10})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long blocks of binary .msh 4.1 and 2.2 are read by several threads where all is as usual in this machine's
-// byte order. In the other order they are read number by number: the same file in both must say the same.
+// Long blocks of binary .msh 4.1 and 2.2 are read by several threads if they are regular and in this
+// machine's byte order. In the other order they are read number by number. The same file in both orders must
+// give the same result.
 #include "io/bytes/plain_records.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@
 namespace tetproof::test {
 namespace {
 
-// What a file has, before it is written in a byte order.
+// The content of a file, before it is written in a byte order.
 struct Content {
   std::vector<std::vector<std::int64_t>> node_tags;  // of each block
   struct Block {
@@ -25,7 +26,7 @@ struct Content {
   };
   std::vector<Block> blocks;
   bool parameters = false;
-  std::size_t cut = 0;  // bytes that the file lacks in the end
+  std::size_t cut = 0;  // number of bytes that are missing at the file's end
 };
 
 class Bytes {
@@ -80,8 +81,8 @@ std::string file_of(const Content& content, bool swapped) {
   return out.text;
 }
 
-// The same as 2.2: `again` says whether an element stands again, in another group; every block begins and
-// ends within runs of like elements that several headers cut.
+// The same in version 2.2. `again`: whether an element is written again in another group. Every block begins
+// and ends within a run of equal elements that several headers cut.
 std::string file22_of(const Content& content, const std::function<bool(std::size_t)>& again, bool swapped) {
   Bytes out(swapped);
   out.text = "$MeshFormat\n2.2 1 8\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Orders of nodes, by the edges that formats' documents list; programs' views of them are in
-// tests/programs/vtk_files.py.
-#include "io/model/second_order.hpp"
+// Node orders against the edges that the formats' documents list. tests/programs/vtk_files.py tests how other
+// programs see them.
+#include "io/model/node_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trace: every record written and read back equal, and the whole text of every message.
+// Traces: every record is equal after writing and reading; every error message is tested in full.
 #include "io/trace.hpp"
 
 #include <gtest/gtest.h>
@@ -61,8 +61,8 @@ std::vector<Record> read_all(const std::string& path) {
   return records;
 }
 
-// Every number survives only if the second text is the first one, digit by digit; the values below show that
-// the text means what it should.
+// If the second text equals the first one, every number has survived. The values below show that the text
+// means the right thing.
 TEST(Trace, EveryRecordReadsBackEqual) {
   const TestFiles files;
   std::string text;
@@ -146,7 +146,7 @@ struct Case {
 const std::string insertion =
     R"({"record":"insertion","n":1,"tet":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"row":"1","replaced":[0,1,2,3],"point":[0,0,0],"e_avg":1})";
 
-// The line with one part of it exchanged.
+// The line with one part of it replaced.
 std::string with(const std::string& part, const std::string& other, std::string line = insertion) {
   return line.replace(line.find(part), part.size(), other);
 }
@@ -273,7 +273,7 @@ TEST(Trace, FilesThatCannotBeRead) {
   EXPECT_EQ(files.message([&] { Reader{files.path("")}; }), ": cannot read: Is a directory");
 }
 
-// A line of the greatest length, and the next one after it: the line is read in parts.
+// A line of the greatest allowed length, which is read in parts, and the line after it.
 TEST(Trace, LongLinesAreReadWhole) {
   const TestFiles files;
   for (const std::size_t count :

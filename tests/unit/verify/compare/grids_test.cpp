@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two grids: renumbered ones are equal, and what is planted into one is all that is found.
+// Comparing two grids: renumbered grids are equal, and differences planted into one grid are found, and
+// nothing else.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ TEST(CompareGrids, TheToleranceIsInDiagonals) {
   EXPECT_TRUE(compare_grids(other, grid, 0).equal());
 }
 
-// Points on both sides of the hashed cells' borders are matched, also far from the origin.
+// Points on different sides of a border of hashed cells are matched, also far from the origin.
 TEST(CompareGrids, EveryPointFindsItsPartner) {
   for (const double far : {0.0, 1e6, -1e6}) {
     const NamedGrid grid = block(8, Eigen::Vector3d::Constant(far));
@@ -147,7 +148,7 @@ TEST(CompareGrids, MultiplicityIsKept) {
   EXPECT_TRUE(compare_grids(twice, twice).equal());
   EXPECT_EQ(compare_grids(grid, twice).reference.tets_only, 1);
 
-  NamedGrid doubled = grid;  // a point that stands twice: a crack
+  NamedGrid doubled = grid;  // one point occurs twice, as at a crack
   doubled.mesh.points.push_back(doubled.mesh.points[4]);
   doubled.mesh.tets[0][1] = doubled.mesh.tets[0][1] == 4 ? 27 : doubled.mesh.tets[0][1];
   result = compare_grids(doubled, grid);
@@ -189,7 +190,8 @@ TEST(CompareGrids, ACrowdWithinTheToleranceIsRefused) {
   EXPECT_THROW(compare_grids(grid, grid, 1e-3), InputError);
 }
 
-// A million tetrahedra in seconds: here 750,000, with a bound that only a quadratic search could miss.
+// A million tetrahedra take seconds. This test has 750,000, and a time limit that only a quadratic search
+// would exceed.
 TEST(CompareGrids, LargeGridsTakeSeconds) {
   const NamedGrid grid = block(50), other = renumbered(grid, 1e-10);
   const auto start = std::chrono::steady_clock::now();

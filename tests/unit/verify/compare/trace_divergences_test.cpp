@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each kind of difference, planted into a trace made by hand: it is found at its step, in both files' lines,
-// and said in the paper's words.
+// Plants each kind of difference into a handmade trace. The comparison finds it at its step, names the lines
+// of both files, and describes it in the paper's words.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Case {
   std::string name;
   std::function<void(Records&)> plant;  // into the other trace
   std::string step;
-  std::int64_t insertion, reference_line, other_line;  // lines from 1; 0: none
+  std::int64_t insertion, reference_line, other_line;  // lines count from 1; 0: none
   std::string what;
 
   friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
@@ -107,7 +107,7 @@ const std::vector<Case> cases{
      "the number of tetrahedra of the first grid is 4 in reference, 5 in other"},
     {"NotAdapted", [](Records& r) { r.erase(r.begin() + first_grid_line, r.begin() + insertion_line); },
      "first-grid", 0, in_file(first_grid_line), 0, "reference is adapted (it has a first_grid record)"},
-    {"Distance",  // and what follows from it
+    {"Distance",  // and its consequences
      [](Records& r) {
        at<FirstGrid>(r, first_grid_line).d1 = 0.8;
        at<Weight>(r, weight_line + 1) = weight(at<Weight>(r, weight_line + 1).tet, 0.55, 0.3);
@@ -241,7 +241,7 @@ TEST_P(Divergences, AreFoundAtTheirStep) {
   EXPECT_EQ(result.what, GetParam().what);
   EXPECT_EQ(result.reference.line, GetParam().reference_line);
   EXPECT_EQ(result.other.line, GetParam().other_line);
-  // The records that the JSON shows are those of the lines.
+  // The JSON shows the records of these lines.
   for (const auto& [side, records] :
        {std::pair{&result.reference, small_trace()}, std::pair{&result.other, other}})
     if (side->line && !side->record.empty()) {
@@ -249,7 +249,7 @@ TEST_P(Divergences, AreFoundAtTheirStep) {
     }
 }
 
-// What the reference has wrong is found as well: everything is said the other way round.
+// A difference in the reference is found as well, with the two sides exchanged.
 TEST_P(Divergences, AreFoundFromTheOtherSide) {
   Records reference = small_trace();
   GetParam().plant(reference);
@@ -263,7 +263,7 @@ TEST_P(Divergences, AreFoundFromTheOtherSide) {
   EXPECT_EQ(result.insertion, GetParam().insertion);
 }
 
-// Of two differences the one of the earlier step is told, however the records lie in the files.
+// Of two differences the one of the earlier step is reported, whatever the order of the records in the files.
 TEST(DivergenceOrder, IsThatOfThePaper) {
   const TestFiles files;
   std::vector<std::string> steps;
@@ -274,7 +274,7 @@ TEST(DivergenceOrder, IsThatOfThePaper) {
   int pairs = 0;
   for (const Case& one : cases)
     for (const Case& two : cases) {
-      // Those that leave the lines where they are can be planted together.
+      // Only differences that do not move lines can be planted together.
       const auto changes_in_place = [](const Case& test) {
         Records records = small_trace();
         test.plant(records);

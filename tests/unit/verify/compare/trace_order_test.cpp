@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is no difference: the order of records and points, rounding, ties resolved in another order. And what
-// is no trace.
+// These are no differences: the order of records and points, rounding, ties resolved in another order. And
+// files that are no traces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST(TraceOrder, PointsOfATetrahedronEdgeAndFaceComeInAnyOrder) {
   EXPECT_EQ(compare(files, other, small_trace()).verdict, Verdict::equal);
 }
 
-// Every number off by `relative` of its size, and points by `relative` of the diagonal.
+// Changes every number by `relative` of its size, and points by `relative` of the diagonal.
 Records rounded(double relative) {
   std::mt19937 random(7);
   const auto off = [&] { return std::uniform_real_distribution<double>(-relative, relative)(random); };
@@ -101,7 +101,7 @@ TEST(TraceTolerance, RoundingIsNoDifference) {
   EXPECT_EQ(compare(files, small_trace(), small_trace(), 0).verdict, Verdict::equal);
 }
 
-// Two points of the reference closer than the tolerance stay two.
+// Two points of the reference that are closer than the tolerance remain two points.
 TEST(TraceTolerance, CloseNeighboursAreToldApart) {
   const TestFiles files;
   Records reference = small_trace();
@@ -113,7 +113,7 @@ TEST(TraceTolerance, CloseNeighboursAreToldApart) {
   EXPECT_EQ(compare(files, other, reference).step, "distance");
 }
 
-// Insertions 2 to 4 tie pairwise: all E'avg are the same in both traces, whichever goes first.
+// Insertions 2 to 4 tie pairwise: all E'avg are the same in both traces, in whatever order they come.
 Records ties(const std::vector<int>& order) {
   const Records all = small_trace();
   const std::array<Record, 4> inserted{all[insertion_line], all[second_insertion_line],
@@ -137,7 +137,7 @@ TEST(TraceTies, TheSameSplitsInAnotherOrderGoOn) {
     const verify::TraceComparison result = compare(files, ties(order), ties(straight));
     EXPECT_EQ(result.verdict, Verdict::equal) << result.what;
     EXPECT_EQ(result.insertions, 4);
-    // Groups of positions that are permuted among themselves; those of one are in place.
+    // Groups of positions that are permuted among themselves. A group of one position stays in place.
     std::int64_t reordered = 0;
     for (int i = 0, start = 0; i < 4; ++i)
       if (*std::max_element(order.begin(), order.begin() + i + 1) == i) {
@@ -158,7 +158,7 @@ TEST(TraceTies, EavgMayDifferByRoundingOnly) {
   EXPECT_EQ(result.verdict, Verdict::diverges);
   EXPECT_EQ(result.step, "choice");
   EXPECT_EQ(result.insertion, 2);
-  // An E_avg that was off by rounding before leaves the choice a tie.
+  // If E_avg already differed by rounding before, the choice is still a tie.
   at<Insertion>(other, insertion_line).e_avg = 0.19 + 0.18 * 5e-12;
   EXPECT_EQ(compare(files, other, ties({0, 1, 2, 3})).verdict, Verdict::equal);
 }
@@ -185,7 +185,7 @@ TEST(TraceTies, ATieThatLeadsElsewhereEndsTheComparison) {
             std::vector<std::string>{"the tie was never closed; E'avg first differs at insertion 3: 0.17 in "
                                      "reference, 0.165 in other"});
 
-  // Or the traces end before the other half of it.
+  // The traces may also end before the tie is closed.
   Records shorter = ties({0, 1}), reference = ties({0, 2});
   EXPECT_EQ(compare(files, shorter, reference).verdict, Verdict::tie);
   EXPECT_EQ(compare(files, shorter, ties({0, 2, 3})).verdict, Verdict::tie);
@@ -201,7 +201,7 @@ TEST(TraceTies, WithinATieRowsAreStillCompared) {
   EXPECT_EQ(result.insertion, 3);
 }
 
-// The piece of a tetrahedron that only one of the traces has split so far is found again when the other has.
+// Only one trace has split a tetrahedron so far. When the other splits it, too, the pieces are matched.
 TEST(TraceTies, SplitsOfPiecesWait) {
   const TestFiles files;
   const auto records = [](bool swapped) {
@@ -216,7 +216,7 @@ TEST(TraceTies, SplitsOfPiecesWait) {
       std::swap(one, two), std::swap(piece, piece_of_two);
       std::swap(one.n, two.n), std::swap(piece.n, piece_of_two.n);
       std::swap(one.e_avg, two.e_avg), std::swap(piece.e_avg, piece_of_two.e_avg);
-      // One bit off, as another implementation's centroid may be.
+      // Differs in one bit, as another implementation's centroid may.
       two.point += Point(1e-16, 0, 0), piece_of_two.tet[3] = two.point;
     }
     r.insert(r.end(), {one, piece, two, piece_of_two, End{"points", 4, 0, 0, 13, 12, 0.16}});
@@ -264,7 +264,7 @@ TEST(TraceNotes, KindsOfRecordsThatOneDoesNotTell) {
   EXPECT_EQ(notes(small_trace(), without(Weight{})),
             Notes{"the tetrahedra of the first grid are not compared: reference has no weight records"});
   EXPECT_EQ(notes(without(End{}), without(End{})), Notes{"both traces break off, without an end record"});
-  // But no cuts, and nothing moved, are answers.
+  // A trace without cuts or moved vertices, however, says that there are none.
   EXPECT_EQ(compare(files, without(Cut{}), small_trace()).step, "cut");
   EXPECT_EQ(compare(files, without(Moved{}), small_trace()).step, "moved");
 }
@@ -302,7 +302,7 @@ TEST(TraceRefused, OutOfOrderOrNotInOrder) {
   EXPECT_EQ(
       files.message([&] { verify::compare_traces(files.path("none.jsonl"), files.path("none.jsonl")); }),
       "none.jsonl: cannot open: No such file or directory");
-  // A tolerance within which everything crowds together is not worked through.
+  // If the tolerance is so large that everything lies within it, the comparison is refused.
   records = small_trace();
   records.resize(weight_line);
   for (int i = 0; i < 2000; ++i) records.push_back(weight({a, b, c, m + Point(0, 0, i * 1e-6)}, 1, 1));

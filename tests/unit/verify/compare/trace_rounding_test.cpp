@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where rounding decides, two right traces part without either being wrong; beside it a difference stays one.
+// Where rounding decides, two correct traces may differ and neither is wrong. Elsewhere a difference is still
+// one.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +24,8 @@ bool says(const verify::TraceComparison& result, const std::string& words) {
   return result.what.find(words) != std::string::npos;
 }
 
-// The trace up to the first insertion, and then these, with the same E_avg in the same place.
+// The handmade trace up to its first insertion, followed by these insertions, with the same E_avg at the same
+// position.
 Records with_insertions(const std::vector<Insertion>& insertions) {
   Records records = small_trace();
   records.resize(insertion_line);
@@ -42,7 +44,7 @@ Insertion split(const Tet& tet, const Point& point) {
   return {1, tet, "1", {0, 1, 2, 3}, point, 0};
 }
 
-// New points far closer to each other than the tolerance are told apart, in ties too.
+// New points that are much closer to each other than the tolerance are told apart, also in ties.
 TEST(TraceRounding, PointsOfATraceAreKnownByTheirExactCoordinates) {
   const TestFiles files;
   const Point p = (a + b + c + m) / 4, q = p - Point(0, 0, 1e-11), r = q - Point(0, 0, 1e-11);
@@ -56,7 +58,7 @@ TEST(TraceRounding, PointsOfATraceAreKnownByTheirExactCoordinates) {
     EXPECT_EQ(result.verdict, Verdict::equal) << result.what;
     EXPECT_EQ(result.reordered, 4);
   }
-  // The other has its own last digits, on both sides of the tolerance's cells.
+  // The other trace's last digits differ, on both sides of the borders of the tolerance's cells.
   const Point p2 = p + Point(0, 0, 2e-11), q2 = q + Point(0, 0, 2e-11);
   const Records off =
       with_insertions({split({a, b, c, m}, p2), split({a, b, c, p2}, q2), split({a, b, c, q2}, r), apart});
@@ -117,7 +119,8 @@ TEST(TraceRounding, AFlipThatGainsByRounding) {
   EXPECT_EQ(verdict(1e6, 1e6 + 1e-7), Verdict::tie);
 }
 
-// The flip's new tetrahedra are flat but for the last bits of the coordinates; no solid angle is that small.
+// The flip's new tetrahedra are flat except for the last bits of the coordinates. No solid angle is that
+// small.
 TEST(TraceRounding, AFlipOfASliver) {
   const TestFiles files;
   const auto with_flip = [&](const Point& end, double before, double after) {
@@ -131,7 +134,7 @@ TEST(TraceRounding, AFlipOfASliver) {
   EXPECT_EQ(with_flip(d + Point(0, 0, 1e-15), 0.01, 0.02).verdict,
             Verdict::diverges);  // they are not healthy
   EXPECT_EQ(with_flip(d + Point(0, 0, 1e-3), 1e-11, 3e-11).verdict, Verdict::diverges);
-  // A needle's D/A is large, whatever rounding leaves of it.
+  // The D/A of a needle is large, whatever rounding does to it.
   const auto needle = [&](double height) {
     Records other = small_trace(), reference = small_trace();
     for (Records* records : {&other, &reference})
@@ -164,7 +167,7 @@ TEST(TraceRounding, WhetherFlipsAreAskedFor) {
     }
     return compare(files, other, reference).verdict;
   };
-  // The corner of a cube with edges 1, halved: smallest is the angle at (0,1,0) of the half with (1,0,0),
+  // The halved corner of a cube with edges 1. The smallest angle is at (0,1,0) of the half with (1,0,0),
   // whose edges there are u = (1/2,-1,0), v = (1,-1,0), w = (0,-1,1) with u.v = 3/2, v.w = u.w = 1 and six
   // volumes of 1/2: tan(Omega/2) = (1/2) / (|u||v||w| + u.v |w| + v.w |u| + u.w |v|).
   const double u = std::sqrt(1.25), v = std::sqrt(2.0), w = v;
@@ -178,8 +181,8 @@ TEST(TraceRounding, ASplitIntoSliversMayBeRefused) {
   const TestFiles files;
   const auto result = [&](double height) {
     Records reference = small_trace(), other = small_trace();
-    // The reference splits a tetrahedron over c, d, g that is `height` high and wins by it; the other the
-    // next.
+    // The reference splits a tetrahedron over c, d, g of height `height`, which is the best choice. The other
+    // splits the next best.
     const Point top = (c + d + g) / 3 + Point(0, -height, 0);
     at<Insertion>(reference, third_insertion_line) = {
         3, {c, d, g, top}, "0", {0, 1, 2, 3}, (c + d + g + top) / 4, 0.17};
@@ -191,7 +194,7 @@ TEST(TraceRounding, ASplitIntoSliversMayBeRefused) {
   EXPECT_EQ(result(1e-13).insertion, 3);
   EXPECT_TRUE(says(result(1e-13), "decided by rounding")) << result(1e-13).what;
   EXPECT_EQ(result(1e-3).verdict, Verdict::diverges);
-  // The worse one's slivers are no excuse for it.
+  // The slivers of the worse split are no excuse for choosing it.
   Records reference = small_trace(), other = small_trace();
   const Point top = (c + d + g) / 3 + Point(0, -1e-13, 0);
   at<Insertion>(other, third_insertion_line) = {
@@ -272,14 +275,14 @@ TEST(TraceRounding, IndicatorsOfMendedVertices) {
   at<Moved>(reference, moved_line).mended = at<Moved>(other, moved_line).mended = true;
   at<Indicators>(other, indicators_line + 1).initial = "-++";  // was 0 in the middle
   EXPECT_EQ(compare(files, other, reference).what, "");
-  // What led to it counts first: another vertex after Table 3.
+  // An earlier difference counts first: another vertex after Table 3.
   at<Indicators>(other, indicators_line + 2).after = "-++";
   other.erase(other.begin() + moved_line);
   verify::TraceComparison result = compare(files, other, reference);
   EXPECT_EQ(result.verdict, Verdict::diverges);
   EXPECT_EQ(result.step, "table-3");
   EXPECT_TRUE(says(result, "lattice vertex (1, 0, 1)")) << result.what;
-  // Mended in one only, where nothing thin asks for it; and beside a cut.
+  // A vertex is mended in one trace only: first where no thin tetrahedron is the reason, then beside a cut.
   at<Indicators>(other, indicators_line + 2).after = "--+";
   result = compare(files, other, reference);
   EXPECT_EQ(result.verdict, Verdict::diverges);
@@ -290,7 +293,7 @@ TEST(TraceRounding, IndicatorsOfMendedVertices) {
   EXPECT_EQ(compare(files, reference, other).verdict, Verdict::tie);
 }
 
-// Without a tolerance the last bit of the lattice decides which vertices are exactly on the surface.
+// Without a tolerance, the last bit of the lattice decides which vertices are exactly on the surface.
 TEST(TraceRounding, ExactZeros) {
   const TestFiles files;
   Records reference = small_trace(), other = small_trace();

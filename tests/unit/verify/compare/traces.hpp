@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small trace made by hand, to plant differences in: a cube of two cells, four tetrahedra, four insertions,
-// two flips.
+// A small handmade trace in which tests plant differences: a box of two cells, four tetrahedra, four
+// insertions, two flips.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ inline trace::Weight weight(const Tet& tet, double distance, double volume) {
   return w;
 }
 
-/// The lines of the trace, by position: what each test changes.
+/// Positions of the trace's lines, for the tests that change them.
 enum Line : std::size_t {
   settings_line,
   lattice_line,
@@ -89,7 +89,7 @@ inline std::string text_of(const std::vector<Record>& records) {
   return text;
 }
 
-/// Both traces as files other.jsonl and reference.jsonl, compared.
+/// Writes both traces to files, other.jsonl and reference.jsonl, and compares them.
 inline verify::TraceComparison compare(const TestFiles& files, const std::vector<Record>& other,
                                        const std::vector<Record>& reference, double tolerance = 1e-9) {
   return verify::compare_traces(files.write("other.jsonl", text_of(other)),

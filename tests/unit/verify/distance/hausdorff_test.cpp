@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directed Hausdorff distances: closed forms, sampling by another formula, and what must not matter.
+// Directed Hausdorff distances against closed forms and against sampling with another formula; and changes
+// that must not matter.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -25,8 +26,8 @@ DirectedDistance distance(const TriangleSurface& a, const TriangleSurface& b,
   return directed_hausdorff(a.vertices, a.triangles, b.vertices, b.triangles, options);
 }
 
-// From a point to a triangle by another formula than verify's: the region of the plane that it lies over
-// (Ericson, Real-Time Collision Detection, 5.1.5), in long double.
+// The distance from a point to a triangle by another formula than verify's, in long double: by the region of
+// the plane that the point lies over (Ericson, Real-Time Collision Detection, 5.1.5).
 double point_to_triangle(const Point& at, const std::array<Point, 3>& corners) {
   using Vec = Eigen::Matrix<long double, 3, 1>;
   const Vec p = at.cast<long double>(), a = corners[0].cast<long double>(),
@@ -57,7 +58,8 @@ double to_surface(const Point& p, const TriangleSurface& surface) {
   return least;
 }
 
-// The interval holds `right`, is as narrow as asked, and its lower end is attained where it says.
+// Expects that the interval contains `right`, is as narrow as asked, and that the given point attains its
+// lower end.
 void expect_distance(const TriangleSurface& a, const TriangleSurface& b, double right, double error) {
   const DirectedDistance d = distance(a, b, {.error = error});
   EXPECT_LE(d.lower, right * (1 + 1e-15));
@@ -82,7 +84,7 @@ TriangleSurface scaled(TriangleSurface surface, double by) {
 TEST(Hausdorff, OfEqualSurfacesIsExactlyZero) {
   for (const char* spec : {"sphere:r=1,n=2000", "torus:n=2000", "random:seed=7,n=2000"}) {
     const TriangleSurface surface = corpus::make_surface(spec);
-    TriangleSurface other = surface;  // the same triangles, in another order and from other corners
+    TriangleSurface other = surface;  // the same triangles in another order, beginning at other corners
     std::reverse(other.triangles.begin(), other.triangles.end());
     for (auto& t : other.triangles) t = {t[1], t[2], t[0]};
     const DirectedDistance d = distance(surface, other, {.error = 1e-3});
@@ -92,7 +94,8 @@ TEST(Hausdorff, OfEqualSurfacesIsExactlyZero) {
 }
 
 TEST(Hausdorff, OfAFinerTriangulationOfTheSameFacesIsExactlyZero) {
-  // The finer one's triangles lie on the coarser one's, exactly; the coarser one's are cut: to rounding.
+  // The finer triangles lie exactly on the coarser ones. The coarser triangles are cut, so that is true up to
+  // rounding.
   const TriangleSurface coarse = box_surface({0, 0, 0}, 4), fine = boundary_surface(lattice_mesh({4, 4, 4}));
   EXPECT_EQ(distance(fine, coarse, {.error = 1e-3}).upper, 0);
   const DirectedDistance back = distance(coarse, fine, {.error = 0});
@@ -107,7 +110,7 @@ TEST(Hausdorff, OfTheSameFacesCutOtherwiseIsRounding) {
     EXPECT_GE(d.lower, 0);
     EXPECT_LE(d.upper, 26 * 4e-14);
   }
-  // Far from the origin the coordinates themselves are coarse, and the same in both.
+  // Far from the origin the coordinates themselves are coarse, but they are the same in both surfaces.
   const Point far(1e6, -3e6, 2e6);
   EXPECT_LE(distance(moved(thirds, far), moved(fifths, far), {.error = 0}).upper, 26 * 4e-14);
 }
@@ -167,13 +170,13 @@ TEST(Hausdorff, OfASpike) {
     const TriangleSurface spiked = with_spike(h);
     const double tip = spiked.vertices.back().z() - 1;
     expect_distance(spiked, block, tip, 1e-9);
-    // Under the tip the block's top is as far from all four sides.
+    // The point of the block's top under the tip has the same distance from all four sides.
     expect_distance(block, spiked, tip * 0.5 / std::hypot(tip, 0.5), 1e-9);
   }
 }
 
 TEST(Hausdorff, OfAFoldAndOfNestedShells) {
-  // A strip that goes out to x = 2 and comes back half way, 0.1 above itself.
+  // A strip that goes out to x = 2 and comes back half of the way, 0.1 above itself.
   const TriangleSurface strip{
       .vertices = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, 0, 0.1}, {1, 1, 0.1}},
       .triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
@@ -207,7 +210,7 @@ TEST(Hausdorff, SamplesOfRandomTrianglesAgree) {
   for (int round = 0; round < 60; ++round) {
     const bool thin = round % 2 == 1;
     const TriangleSurface a = soup(random, 1 + round % 5, thin), b = soup(random, 1 + round % 7, thin);
-    constexpr int n = 60;  // each side in so many parts
+    constexpr int n = 60;  // parts of each side
     double sampled = 0, spacing = 0;
     for (std::size_t t = 0; t < a.triangles.size(); ++t) {
       const auto [p, q, r] = corners(a, t);

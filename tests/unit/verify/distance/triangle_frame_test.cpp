@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distances to triangles of any shape against exact rational arithmetic, and the search for the nearest one.
+// Distances to triangles of any shape against exact rational arithmetic, and the search for the nearest
+// triangle.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
@@ -22,7 +23,7 @@ Kernel::Point_3 exact(const Point& p) {
   return {CGAL::Gmpq(p.x()), CGAL::Gmpq(p.y()), CGAL::Gmpq(p.z())};
 }
 
-// Exact but for one square root.
+// Exact except for one square root.
 double exact_distance(const Point& p, const std::array<Point, 3>& t) {
   const Kernel::Point_3 q = exact(p), a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
   const auto root = [](const CGAL::Gmpq& squared) { return std::sqrt(CGAL::to_double(squared)); };

@@ -52,7 +52,7 @@ TEST(Regions, AShellAroundACoreHasACavityThatTheMeshHasNot) {
   EXPECT_EQ(report.regions[1].shape.boundary_faces, 12);
 }
 
-// A region in two parts, and tetrahedra that cannot be counted among any.
+// A region of two parts, and tetrahedra that belong to no region.
 TEST(Regions, PartsAndBrokenTetrahedra) {
   TetMesh mesh = lattice_mesh({3, 1, 1});
   mesh.tets.push_back({0, 1, 2, 999});
@@ -65,7 +65,7 @@ TEST(Regions, PartsAndBrokenTetrahedra) {
   EXPECT_EQ(report.regions[1].shape.volume, 1.0);
 }
 
-// Regions whose meshes do not share their points are a cracked mesh.
+// If the regions do not share their points, the mesh is cracked.
 TEST(Regions, NotSharingPointsIsACrack) {
   const TetMesh mesh = together(lattice_mesh({1, 1, 1}), lattice_mesh({1, 1, 1}, {}, {1, 0, 0}));
   const Report report = verify::verify(mesh, {.regions = by_cell({1, 2})});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact volumes against rational arithmetic of another kind, tetrahedron by tetrahedron.
+// Exact volumes against another kind of rational arithmetic, tetrahedron by tetrahedron.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -30,7 +30,7 @@ Rational exact_volume(const TetMesh& mesh) {
   return sum / 6;
 }
 
-// No double is nearer.
+// Expects that no double is nearer.
 void expect_nearest(double value, const Rational& exact) {
   ASSERT_TRUE(std::isfinite(value));
   const Rational error = abs(Rational(value) - exact);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where tetrahedra overlap, the report's exact point is strictly inside both: by rational arithmetic of
-// another kind.
+// Where tetrahedra overlap, the report's exact point lies strictly inside both, by another kind of rational
+// arithmetic.
 #include <gmock/gmock.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -31,7 +31,7 @@ Rational volume(const Point& a, const Point& b, const Point& c, const Point& d) 
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-// All four parts that the point cuts a tetrahedron into have its orientation.
+// Whether the four parts into which the point cuts a tetrahedron all have its orientation.
 bool strictly_inside(const TetMesh& mesh, Index t, const Point& p) {
   std::array<Point, 4> corners;
   for (int i = 0; i < 4; ++i) corners[i] = exact(mesh.points[mesh.tets[t][i]]);
@@ -80,8 +80,8 @@ TEST(Witness, OfEveryOverlapFound) {
 }
 
 TEST(Witness, BetweenOverlapsOfOneUnitInTheLastPlace) {
-  // The tip of one tetrahedron in, just short of and just through a face of the other. The part they share is
-  // so small that hardly a double lies in it.
+  // The tip of one tetrahedron lies in a face of the other, just before it, or just behind it. The common
+  // part is so small that hardly any double lies in it.
   int found = 0;
   for (const double shift : {0.0, 1.0, 1e6}) {
     const double z = 0.7 + shift;
@@ -114,7 +114,7 @@ TEST(Witness, OfRandomPairsJustWhereTheyShareVolume) {
   int shared = 0, apart = 0;
   for (int i = 0; i < 80; ++i) {
     TetMesh mesh;
-    const bool integers = i % 2 == 0;  // meet in every special way
+    const bool integers = i % 2 == 0;  // small integers give every special position
     for (int k = 0; k < 8; ++k) {
       Eigen::Vector3d p;
       for (int c = 0; c < 3; ++c)
@@ -130,7 +130,7 @@ TEST(Witness, OfRandomPairsJustWhereTheyShareVolume) {
       continue;
     }
     ++apart;
-    // A plane through three of the points, or along an edge of each, has them on its two sides.
+    // If they are apart, a plane through three of the points, or parallel to an edge of each, separates them.
     bool separated = false;
     std::array<Point, 8> p;
     for (int k = 0; k < 8; ++k) p[k] = exact(mesh.points[k]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pair test and the search for intersecting triangles, against rational arithmetic of another kind on all
-// pairs of small soups, and against CGAL's own where it applies.
+// The pair test and the search for intersecting triangles, against another kind of rational arithmetic on all
+// pairs of small sets of triangles, and against CGAL's own test where it applies.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,8 +50,8 @@ std::vector<Point> clip(const std::vector<Point>& polygon, const Point& normal, 
   return kept;
 }
 
-// By definition: the second triangle cut down to the first; what remains must lie in the common vertices'
-// hull.
+// The definition: cut the second triangle down to the first. What remains must lie in the convex hull of the
+// common vertices.
 bool meet_by_clipping(const Points& points, const Triangle& s, const Triangle& t) {
   const std::array<Point, 3> a{exact(points[s[0]]), exact(points[s[1]]), exact(points[s[2]])};
   std::vector<Point> rest{exact(points[t[0]]), exact(points[t[1]]), exact(points[t[2]])};
@@ -85,7 +85,7 @@ struct Soup {
 Soup random_soup(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Soup soup;
-  // Small integers meet in every special way; the rest is in general position, around 0, 1e6 or 1e-9.
+  // Small integers give every special position. The others are in general position, around 0, 1e6 or 1e-9.
   const int kind = static_cast<int>(seed % 5);
   const double scale = kind == 3 ? 1e-9 : 1, shift = kind == 4 ? 1e6 : 0;
   for (int i = 0; i < 14; ++i) {
@@ -126,7 +126,7 @@ TEST(Intersections, AgreeWithRationalArithmeticOnSoups) {
     const verify::Intersections found = verify::self_intersections(soup.points, soup.triangles, {});
     ASSERT_EQ(found.pairs, pairs);
     ASSERT_EQ(found.count, static_cast<std::int64_t>(pairs.size()));
-    // Asked for what is near as well, it takes another way to the same pairs.
+    // If near pairs are asked for, too, the search takes another path to the same pairs.
     const verify::Near near(soup.points, soup.triangles);
     ASSERT_EQ(verify::self_intersections(soup.points, soup.triangles, {}, 100000, &near).pairs, pairs);
   }
@@ -135,7 +135,7 @@ TEST(Intersections, AgreeWithRationalArithmeticOnSoups) {
   for (const int count : {0, 1, 2, 3}) EXPECT_GT(common_vertices[count], 5) << count << " common vertices";
 }
 
-// Of few triangles, and of so many that they are searched in slabs.
+// With few triangles, and with so many that they are searched in slabs.
 class CrumpledSphere : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, CrumpledSphere, testing::Values(2000, 80000));
 

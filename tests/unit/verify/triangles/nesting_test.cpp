@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Overlaps that no tetrahedron shows by itself: parts of the mesh inside other parts.
+// Overlaps that no single tetrahedron shows: parts of the mesh inside other parts.
 #include <gmock/gmock.h>
 
 #include "tests/support/meshes.hpp"
@@ -85,7 +85,7 @@ TEST(Nesting, BlockInsideACavityIsRight) {
 }
 
 TEST(Nesting, FoldOverWoundPositive) {
-  // A fan around an edge that goes round nearly twice: every tetrahedron positive, every face matched.
+  // A fan that goes nearly twice around an edge: every tetrahedron is positive and every face is matched.
   TetMesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
   for (int i = 0; i < 12; ++i) {
     const double angle = i * 1.03, radius = 1 + 0.05 * i;
@@ -114,8 +114,8 @@ TEST(Nesting, ManyPartsInsideOneAnother) {
 }
 
 TEST(Nesting, OverlapByOneUnitInTheLastPlace) {
-  // Two blocks with a face in common, one of them moved: apart by one unit it is sound, into the other it
-  // intersects.
+  // Two blocks with a common face, one of which is moved. Moved away by one unit the mesh is sound; moved
+  // into the other block it intersects itself.
   const TetMesh block = lattice_mesh({1, 1, 1});
   for (const auto& [x, certificate] :
        {std::pair{std::nextafter(1.0, 2.0), true}, {1.0, false}, {std::nextafter(1.0, 0.0), false}}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of surfaces: each fault with its whole message, and the real files with what their manifest says.
+// The judge of surfaces: each fault with its whole message, and the real files with the values of their
+// manifest.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -108,7 +109,7 @@ TEST(SurfaceFaults, WholeMessages) {
          s.triangles.push_back({6, 5, 4});
          return s;
        },
-       "1 triangle is there twice (first: 4 (4 5 6) and 5)"},
+       "1 triangle is listed twice (first: 4 (4 5 6) and 5)"},
       {"crossing itself",
        [] {
          return together(tetrahedron(), [] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of two triangles is near each other without being common to them. Internal.
+// Finds the parts of two triangles that are near each other although the triangles do not share them.
+// Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +9,7 @@
 #include <span>
 
 #include "verify/triangles/box.hpp"
-#include "verify/triangles/nearness.hpp"
+#include "verify/triangles/near_distance.hpp"
 
 namespace tetproof::verify {
 
@@ -18,15 +19,16 @@ struct Contact {
   auto operator<=>(const Contact&) const = default;
 };
 
-/// What is near of one pair of triangles.
+/// What is near in one pair of triangles.
 struct PairNearness {
-  std::array<Contact, 6> contacts{};  ///< the first `contact_count`
+  std::array<Contact, 6> contacts{};  ///< only the first `contact_count` count
   int contact_count = 0;
-  bool near = false;  ///< without a common vertex, and near without meeting
-  bool fold = false;  ///< with a common edge, and they meet, or two of their other edges cross or nearly do
+  bool near = false;  ///< they have no common vertex and are near, but do not meet
+  /// They have a common edge and meet, or two of their other edges cross or nearly cross.
+  bool fold = false;
 };
 
-/// Looks at pairs of triangles whose boxes are wider than they by what is near.
+/// Tests triangle pairs whose boxes have been enlarged by the near distance.
 class Nearby {
  public:
   Nearby(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const Near& near)
@@ -36,11 +38,11 @@ class Nearby {
         room_(near.limit() * near.diagonal()),
         margin_(2 * room_ * near.diagonal()) {}
 
-  /// Whether a side of one triangle separates the shadows that both cast along an axis, but for vertices they
-  /// share, by so much that they neither meet nor are near each other. Most pairs end here.
+  /// Whether the line through a side of one triangle separates the projections of both along an axis (except
+  /// for shared vertices) so widely that the triangles neither meet nor are near. This settles most pairs.
   bool wide_apart(const Triangle& first, const Triangle& second) const;
 
-  /// Of the triangles of two boxes, which `meet` or not.
+  /// Finds what is near in the triangles of two boxes. `meet`: whether the triangles meet.
   PairNearness look(const Box& x, const Box& y, bool meet) const;
 
  private:
@@ -54,7 +56,7 @@ class Nearby {
   std::span<const Eigen::Vector3d> points_;
   std::span<const Triangle> triangles_;
   const Near& near_;
-  double room_;    // what is near [length]
+  double room_;    // the near distance [length]
   double margin_;  // [length^2]
 };
 

@@ -45,16 +45,6 @@ std::string fault_of_numbers(const TriangleSurface& surface) {
   return "";
 }
 
-// Vertices with more than one fan, ascending.
-std::vector<Index> pinched(const std::vector<Index>& vertices_of_fans) {
-  std::vector<Index> several;
-  for (std::size_t i = 1; i < vertices_of_fans.size(); ++i)
-    if (vertices_of_fans[i] == vertices_of_fans[i - 1] &&
-        (several.empty() || several.back() != vertices_of_fans[i]))
-      several.push_back(vertices_of_fans[i]);
-  return several;
-}
-
 std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatching& edges,
                                  const Sheets& sheets) {
   const std::span<const Triangle> triangles = surface.triangles;
@@ -67,7 +57,7 @@ std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatch
                        plural(edges.nonmanifold.size(), "edge has", "edges have"),
                        edge_name(triangles, edges.nonmanifold.front().front()),
                        edges.nonmanifold.front().size());
-  if (const std::vector<Index> vertices = pinched(sheets.vertices_of_fans); !vertices.empty()) {
+  if (const std::vector<Index> vertices = repeated(sheets.vertices_of_fans); !vertices.empty()) {
     const Eigen::Vector3d& p = surface.vertices[vertices.front()];
     return fmt::format(
         "the surface is not manifold: {} more than one fan of triangles (first: {} at ({}, {}, {}))",
@@ -100,7 +90,7 @@ std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate&
   }
   if (twice > 0)
     return fmt::format("{} twice (first: {} and {})",
-                       plural(twice, "triangle is there", "triangles are there"),
+                       plural(twice, "triangle is listed", "triangles are listed"),
                        triangle_name(surface, first), edges.mate[3 * first] / 3);
   const Intersections meetings = self_intersections(surface.vertices, surface.triangles, {}, 1);
   if (meetings.count > 0)
@@ -117,7 +107,7 @@ std::string component_name(const SurfaceReport& report, std::size_t i) {
                      c.volume);
 }
 
-// Orientation and nesting of the components: volumes, depths, and whether they agree on what is inside.
+// Judges the components: their volumes and depths, and whether their orientations agree on what is inside.
 void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
   SurfaceReport& report = judgement.report;
   const std::size_t n = sheets.sheets.size();
@@ -141,7 +131,7 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
   }
   report.volume = volumes.weighted_sum(weights);
 
-  std::array<std::vector<std::size_t>, 2> outward, inward;  // by the parity of the depth
+  std::array<std::vector<std::size_t>, 2> outward, inward;  // for even and for odd depths
   for (std::size_t i = 0; i < n; ++i)
     (report.components[i].outward ? outward : inward)[depths[i] % 2].push_back(i);
   for (const int parity : {0, 1}) {
@@ -159,10 +149,10 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
   }
   if (!inward[0].empty())
     report.notes.push_back(
-        "the surface is oriented inward; what is inside is decided by parity, so nothing changes");
+        "the surface is oriented inward; parity decides what is inside, so this changes nothing");
   if (const auto& nested = inward[0].empty() ? outward[1] : inward[1]; !nested.empty())
     report.notes.push_back(
-        fmt::format("{} lies inside another and points the same way; what is inside is decided by parity: it "
+        fmt::format("{} lies inside another and is oriented like it; parity decides what is inside, so it "
                     "bounds a cavity",
                     component_name(report, nested[0])));
 }
@@ -211,7 +201,8 @@ SurfaceJudgement judge(const TriangleSurface& surface) {
     }
   report.area = area_of(surface);
 
-  // A triangle that names a vertex twice has no sides to match: whether the others close is asked without it.
+  // A triangle that names a vertex twice has no sides to match. The others are tested for closedness without
+  // it.
   std::vector<std::uint8_t> excluded;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
