@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t triangles_a_task = 512;
 
-// Runs work(first, last, result) on slices of the triangles in parallel and joins the results in order.
+// Runs work(first, last, result) on slices of the triangles in parallel. Returns the results in order.
 template <class Result, class Work>
 std::vector<Result> over_triangles(std::size_t triangles, Work work) {
   std::vector<Result> slices((triangles + triangles_a_task - 1) / triangles_a_task);
@@ -28,7 +28,8 @@ std::vector<Result> over_triangles(std::size_t triangles, Work work) {
   return slices;
 }
 
-// Does the line through a and b, which lie on different sides of the triangle, meet the closed triangle?
+// Whether the line through a and b meets the closed triangle. The points a and b lie on different sides of
+// it.
 bool line_meets_triangle(const Triangle& t, const Vector3d& a, const Vector3d& b) {
   const int s0 = orientation(a, b, t[0], t[1]), s1 = orientation(a, b, t[1], t[2]);
   if (s0 * s1 < 0) return false;
@@ -82,8 +83,8 @@ Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
   };
   consider(closest_on_segment(a, c, p));
   consider(closest_on_segment(b, c, p));
-  // The foot of the perpendicular, where it falls inside. The edges above are a close second where rounding
-  // sees it wrongly.
+  // The foot of the perpendicular, if it falls inside the triangle. Where rounding misjudges that, the
+  // closest point on an edge, found above, is almost as close.
   const Vector3d normal = (b - a).cross(c - a);
   const auto inside = [&](const Vector3d& u, const Vector3d& v) {
     return normal.dot((v - u).cross(p - u)) >= 0;
@@ -124,8 +125,8 @@ std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const Triangl
       surface.triangles.size(), [&](std::size_t first, std::size_t last, std::vector<NearVertex>& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
-          // A vertex within the margin is a corner of a cell that is; every vertex is the first corner of its
-          // own cell.
+          // A vertex within the margin is the first corner of its own cell, and that cell is within the
+          // margin too: so the first corners of these cells are all that have to be asked.
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
             const Vertex v = lattice.vertex(i, j, k);
             if (!wanted(v)) return;
