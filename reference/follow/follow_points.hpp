@@ -8,7 +8,7 @@
 
 #include "reference/engine/adaptation/triangulation.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 
 namespace tetproof::reference {
 

@@ -48,8 +48,7 @@ bool faces_meet(const BoundaryFace& f, const BoundaryFace& g) {
   switch (common) {
     case 0:
       return CGAL::do_intersect(s, t);
-    case 1:  // if they have more in common than the vertex, one meets the other on the side opposite to the
-             // vertex
+    case 1:  // they have more in common than the vertex only if a side opposite to it meets the other face
       return CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), t) ||
              CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), s);
     case 2:  // they have more in common than the edge only if one is folded flat onto the other
@@ -71,8 +70,8 @@ void BoundaryFaces::visit_cells(const BoundaryFace& face, const Visit& visit) co
   }
   for (std::int64_t i = low[0]; i <= high[0]; ++i)
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
-      for (std::int64_t k = low[2]; k <= high[2];
-           ++k)  // two cells with the same key share a list: correct, only slower
+      // Two cells with the same key share a list, which only costs time.
+      for (std::int64_t k = low[2]; k <= high[2]; ++k)
         visit(static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15u ^
               static_cast<std::uint64_t>(j) * 0xC2B2AE3D27D4EB4Fu ^
               static_cast<std::uint64_t>(k) * 0x165667B19E3779F9u);

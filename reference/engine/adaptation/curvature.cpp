@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 
 namespace tetproof::reference {
 namespace {

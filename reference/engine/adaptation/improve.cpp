@@ -146,9 +146,8 @@ std::vector<Flip> possible_flips(const Triangulation& grid, const std::vector<In
       const auto edge = sorted(std::array{tet[f], apex(grid.corners(n), face)});
       if (pierces(grid, face, edge)) found.push_back(flip_of(grid, {t, n}, face, edge, criterion));
     }
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4;
-           ++j) {  // 3-2 around the edge, found only from the lowest-numbered of the three
+    for (int i = 0; i < 4; ++i)  // 3-2 around the edge i j, found only from the lowest-numbered of the three
+      for (int j = i + 1; j < 4; ++j) {
         std::array<int, 2> others{};
         for (int k = 0, at = 0; k < 4; ++k)
           if (k != i && k != j) others[at++] = k;

@@ -13,7 +13,7 @@
 
 #include "reference/engine/adaptation/boundary_faces.hpp"
 #include "reference/engine/adaptation/triangulation.hpp"
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 #include "reference/engine/first_grid/exact.hpp"
 
 namespace tetproof::reference {

@@ -55,8 +55,8 @@ struct Split {
   int pieces;                     ///< 2, 3 or 4
   std::array<int, 4> replaced{};  ///< the first `pieces`: positions of the replaced corners, ascending
   Eigen::Vector3d point;          ///< the mean of these corners
-  bool on_surface;  ///< whether the new point is a surface point: it lies on an unshared edge or face
-                    ///< (reading D19)
+  /// Whether the new point is a surface point: it lies on an unshared edge or face (reading D19).
+  bool on_surface;
 };
 
 /// The splits of a tetrahedron that Table 4 allows. There is more than one only if a row takes the longest of

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "reference/engine/first_grid/closest_point.hpp"
 #include "reference/engine/first_grid/lattice.hpp"
 
 namespace tetproof::reference {
@@ -44,14 +45,5 @@ struct NearVertex {
 /// ascending.
 std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const TriangleSurface& surface,
                                            double radius, const std::function<bool(Vertex)>& wanted);
-
-/// The point of a triangle that is closest to `p`, in double precision: the same for any order of the
-/// corners.
-Eigen::Vector3d closest_point(std::array<Eigen::Vector3d, 3> triangle, const Eigen::Vector3d& p);
-
-/// A triangle with its corners in lexicographic order, so that nothing computed from it depends on the
-/// numbering of the vertices.
-std::array<Eigen::Vector3d, 3> sorted_corners(std::array<Eigen::Vector3d, 3> triangle);
-bool lexicographically_less(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 }  // namespace tetproof::reference

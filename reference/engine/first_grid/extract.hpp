@@ -26,8 +26,7 @@ struct Grid {
   /// Of each point: the number of its lattice vertex, of its cut, or (for a centroid) of its lattice
   /// tetrahedron.
   std::vector<std::int64_t> sources;
-  std::vector<std::uint8_t>
-      on_surface;  ///< of each point: whether it is a surface point in the paper's sense
+  std::vector<std::uint8_t> on_surface;  ///< of each point: whether it is a surface point of the paper
   /// Of each tetrahedron: the lattice tetrahedron that it is part of, 6 * cell + position in `kuhn_tets`.
   std::vector<std::uint32_t> lattice_tet;
   static constexpr std::uint8_t case_5_dropped = 255;

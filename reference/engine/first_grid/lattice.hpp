@@ -21,8 +21,8 @@ using Edge = std::int64_t;
 
 struct Lattice {
   std::array<int, 3> cells;  ///< nx, ny, nz
-  std::array<std::vector<double>, 3>
-      planes;            ///< the n+1 coordinates of the lattice planes of each axis [length]
+  /// The n+1 coordinates of the lattice planes normal to each axis [length].
+  std::array<std::vector<double>, 3> planes;
   double shortest_edge;  ///< of a cell [length]
 
   Vertex vertices() const { return stride(2) * (cells[2] + 1); }

@@ -109,8 +109,8 @@ constexpr Choices choices = [] {
 
 constexpr SortedVertices sorted(std::array<std::int8_t, 4> s) {
   SortedVertices result{{0, 1, 2, 3}, 1, 0};
-  for (int pass = 0; pass < 3;
-       ++pass)  // bubble sort keeps equal ones in order, and each exchange changes the sign
+  // Bubble sort keeps equal ones in order, and each exchange changes the sign.
+  for (int pass = 0; pass < 3; ++pass)
     for (int a = 0; a < 3; ++a)
       if (s[a] < s[a + 1]) {
         std::swap(s[a], s[a + 1]);
