@@ -15,8 +15,7 @@ namespace tetproof::corpus {
 enum class Kind {
   real,         ///< any finite decimal number
   integer,      ///< a whole number
-  four_digits,  ///< exactly four digits, as in the names of NACA sections; the value is the number that they
-                ///< spell
+  four_digits,  ///< exactly four digits, as in the names of NACA sections; their value as a number
 };
 
 /// One parameter of a generator, written in one line: {"r", 1, 1e-9, 1e9, "radius"}. A value outside [least,
