@@ -26,17 +26,16 @@ struct Truth {
   std::vector<Index> not_finite;    ///< name a point with a coordinate that is not finite
   std::vector<Index> repeating;     ///< name a point twice
   // The other tetrahedra, and the points. A boundary face is a face of exactly one tetrahedron.
-  std::vector<std::vector<Index>> duplicates;  ///< groups with the same four vertices
-  std::vector<Index> negative, flat;           ///< exact; only among the tetrahedra asked for
-  std::vector<std::vector<Index>> thrice;      ///< groups of three or more that share a face
-  std::vector<std::array<Index, 2>>
-      one_sided;  ///< pairs that induce the same orientation on their common face
+  std::vector<std::vector<Index>> duplicates;   ///< groups with the same four vertices
+  std::vector<Index> negative, flat;            ///< exact; only among the tetrahedra asked for
+  std::vector<std::vector<Index>> thrice;       ///< groups of three or more that share a face
+  std::vector<std::array<Index, 2>> one_sided;  ///< pairs that give a common face the same orientation
   /// Pairs whose boundary faces have the same coordinates and opposite orientations, but not the same points.
   std::vector<std::array<Index, 2>> coinciding_faces;
   std::vector<std::array<Index, 2>> nonmanifold_edges;  ///< edges of more than two boundary faces
   std::vector<Index> nonmanifold_vertices;  ///< vertices whose boundary faces form more than one fan
-  std::vector<std::array<Index, 2>>
-      equal_points;           ///< the first point with these coordinates, and another one; finite
+  /// The first point with some finite coordinates, and another one with the same coordinates.
+  std::vector<std::array<Index, 2>> equal_points;
   std::vector<Index> unused;  ///< points of no tetrahedron
   // Pairs of tetrahedra, at least one of them asked for; neither is flat, and they are not duplicates:
   std::vector<std::array<Index, 2>> overlaps;   ///< their interiors meet

@@ -53,7 +53,7 @@ Stop follow_steps(Replay& replay) {
   while (replay.record) {
     if (const auto* end = std::get_if<trace::End>(&*replay.record)) return checked_end(replay, *end);
     if (std::holds_alternative<trace::Flip>(*replay.record))
-      throw Divergence{fmt::format("insertion {}: a flip that no solid angle below the tolerance asks for",
+      throw Divergence{fmt::format("insertion {}: a flip, although no new solid angle is below the tolerance",
                                    replay.insertion->so_far().insertions)};
     if (const auto* theirs = std::get_if<trace::Insertion>(&*replay.record))
       replay_insertion(replay, *theirs);

@@ -87,7 +87,8 @@ Grid adopt(const Grid& grid, TraceStart& start, TracePoints& points) {
                        "; tetproof-compare tells which of steps (i) to (iv) made it"};
     }
     if (!start.named.emplace(sorted(tet), w).second)
-      throw Divergence{"the first grid: the tetrahedron at " + text(start.weights[w].tet) + " comes twice"};
+      throw Divergence{"the first grid: the tetrahedron at " + text(start.weights[w].tet) +
+                       " is listed twice"};
   }
   for (const auto& [place, number] : points.known()) adopted.mesh.points[number] = place;
   for (std::size_t t = 0; t < grid.mesh.tets.size(); ++t) {
