@@ -27,8 +27,8 @@ struct Site;
 /// Ids of checks are those of `tetproof-verify --list-checks`.
 struct PlantKind {
   const char* id = "";
-  std::optional<Expected> expected =
-      {};                               ///< absent: the truth of the mutated mesh decides (corpus/truth.hpp)
+  /// Absent: the truth about the mutated mesh decides (corpus/truth.hpp).
+  std::optional<Expected> expected = {};
   std::vector<const char*> flags = {};  ///< what it is about: "orientation", "overlap", "rounding", ...
   /// Checks. At least one of them must be reported as a root cause and name the place.
   std::vector<const char*> needed = {};
