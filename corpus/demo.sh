@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# From a clone to a verified grid and its picture, on a fresh Debian 12 too: set-up, then the surface of a skull is meshed, judged and written into out/.
-# usage: corpus/demo.sh [OPTION OF tetproof-mesh...]     for example: corpus/demo.sh --cells 96
+# Shows the way from a clone to a verified grid and its picture: installs what is needed, builds, meshes the surface of a skull, judges the grid and writes
+# everything into out/. Works on a fresh Debian 12.
+# usage: corpus/demo.sh [OPTIONS OF tetproof-mesh]     for example: corpus/demo.sh --cells 96
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 .ci/setup.sh --without-tests programs
 mkdir -p out
 echo
-# An option stands once: what is given here takes the place of ours.
+# An option may be given only once, so an option of the user replaces our default.
 defaults=()
 [[ " $* " == *" --cells"* ]] || defaults+=(--cells 64)
 [[ " $* " == *" --plane"* ]] || defaults+=(--plane x=120)
@@ -18,8 +19,8 @@ echo
 echo "\$ build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu"
 build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu
 echo
-echo "What lies in out/:"
-for file in ct_skull.msh:"the grid; Gmsh opens it" ct_skull.vtu:"the same for ParaView" ct_skull.json:"the report" \
-  ct_skull.svg:"a plane's cut through it, as in the paper's figures; corpus/gallery.sh makes those"; do
+echo "Files in out/:"
+for file in ct_skull.msh:"the grid, for Gmsh" ct_skull.vtu:"the grid, for ParaView" ct_skull.json:"the report" \
+  ct_skull.svg:"a cut through the grid, in the style of the paper's figures (corpus/gallery.sh makes more)"; do
   printf '  %-18s %8s  %s\n' "out/${file%%:*}" "$(du -h --apparent-size "out/${file%%:*}" | cut -f1)" "${file#*:}"
 done

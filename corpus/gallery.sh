@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper's figures 3 to 6: unstructured grids around a sphere, a torus, a wing and a skull, cut by a plane, written into corpus/gallery/.
+# Makes pictures like the paper's figures 3 to 6: cuts through unstructured grids around a sphere, a torus, a wing and a skull. Writes them into corpus/gallery/.
 # usage: corpus/gallery.sh [FOLDER]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -8,8 +8,8 @@ folder=${1:-corpus/gallery}
 .ci/setup.sh --without-tests programs
 mkdir -p "$folder"
 
-# As in the paper's section 5: adapted to the distance, without curvature, improved by maximizing the minimum aspect ratio. Odd numbers of
-# cells keep the middle plane off the lattice's planes.
+# As in section 5 of the paper, the grids are adapted to the distance, without curvature, and improved by maximizing the minimum aspect ratio. With an odd number
+# of cells, the middle plane is not a lattice plane.
 figure() {
   local file=$folder/$1.svg
   shift

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random closed surfaces for properties that must hold on all of them.
+// Random closed surfaces, for tests of properties that must hold on all surfaces.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace tetproof::corpus {
 
-/// A closed, 2-manifold, consistently oriented surface without self-intersections, of some ten to a thousand
-/// triangles and a size of about 1 to 10, the same on every machine for the same seed. By the seed: a
-/// star-shaped body; one with a cavity, perhaps a body within; several bodies side by side; columns of unit
-/// cells or an octahedron whose planes, edges and vertices have integer or half-integer coordinates, as a
-/// lattice has. One in eight is oriented inward. No parametric definition.
+/// A closed, 2-manifold, consistently oriented surface without self-intersections. It has about ten to a
+/// thousand triangles and a size of about 1 to 10, and is the same on every machine for the same seed. The
+/// seed chooses between: a star-shaped body; nested copies of one; several bodies side by side; and columns
+/// of cells or an octahedron, whose coordinates are integers or half-integers, like those of a lattice. One
+/// surface in eight is oriented inward. It has no parametric definition.
 TriangleSurface random_closed_surface(std::uint64_t seed);
 
-/// What that surface is, in one line.
+/// The description of the surface with this seed, in one line.
 std::string describe_random_surface(std::uint64_t seed);
 
 }  // namespace tetproof::corpus

@@ -27,7 +27,7 @@ void check(const Options& options) {
                     options.on_surface));
   if (options.adapt) check(*options.adapt);
   if (!options.follow.empty() && !options.adapt)
-    throw InputError("there is nothing to follow without an adaptation");
+    throw InputError("a trace can only be followed with an adaptation, steps (v) and (vi)");
 }
 
 }  // namespace
@@ -45,22 +45,22 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
 
   phase("contacts");
   const Contacts contacts = find_contacts(lattice, surface);
-  SurfaceVertices settled;  // for good, reading D4
+  SurfaceVertices settled;  // lattice vertices that stay on the surface, reading D4
   if (tolerance > 0)
     settled.add(
         find_near_vertices(lattice, surface, tolerance * lattice.shortest_edge, [](Vertex) { return true; }));
   const std::vector<std::int8_t> inside = inside_by_parity(lattice, surface);
 
   Generation result;
-  std::vector<Vertex> mended;  // because rounding had inverted a tetrahedron
+  std::vector<Vertex> mended;  // settled because rounding had inverted a tetrahedron
   result.moved_to_surface = static_cast<std::int64_t>(settled.vertices.size());
   std::unique_ptr<InsideTest> inside_test;
-  std::once_flag once;  // few surfaces have a case 5
+  std::once_flag once;  // most surfaces have no case 5 and need no test
   const auto keep_case_5 = [&](const Eigen::Vector3d& centroid) {
     if (options.literal) return true;
     std::call_once(once, [&] { inside_test = std::make_unique<InsideTest>(lattice, surface); });
-    const bool inside_solid =
-        (*inside_test)(centroid) > 0;  // on the surface: outside, so that one of the two grids has it
+    // A centroid exactly on the surface counts as outside, so that exactly one of the two grids has it.
+    const bool inside_solid = (*inside_test)(centroid) > 0;
     return inside_solid == (options.region == Region::inside);
   };
 
@@ -89,7 +89,8 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
     std::vector<NearVertex> to_mend;
     if (!bad.empty() && !options.literal)
       to_mend = vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
-    if (to_mend.empty()) {  // or nothing is cut beside a bad one: the verdict will name it
+    // No tetrahedron is bad, or none of the bad ones may or can be mended; then the verifier will name them.
+    if (to_mend.empty()) {
       if (record) {
         record_lattice(lattice, record);
         record_characterization(lattice, indicators, settled, mended, record);

@@ -27,8 +27,8 @@ namespace processing = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// Moves the surface to the origin and to a size around 1, by a power of two: the costs are polynomials of
-// degree 6 in the coordinates.
+// Moves the surface to the origin and scales it to a size around 1, by a power of two, because the costs are
+// polynomials of degree 6 in the coordinates.
 struct Frame {
   Eigen::Vector3d centre;
   int exponent = 0;
@@ -86,7 +86,8 @@ void collapse_edges(Mesh& mesh, std::size_t triangles) {
       CGAL::parameters::get_cost(simplification::LindstromTurk_cost<Mesh>()).get_placement(placement));
 }
 
-// Moves the vertices back to where the surface is; one that no collapse moved is where it was, to the bit.
+// Moves the vertices back to the place and size of the surface. A vertex that no collapse moved gets its old
+// coordinates back, bit for bit.
 Mesh moved_back(Mesh mesh, const TriangleSurface& before, const Frame& frame) {
   for (const auto v : mesh.vertices()) {
     const Eigen::Vector3d& old = before.vertices[v.idx()];
@@ -99,7 +100,7 @@ Mesh moved_back(Mesh mesh, const TriangleSurface& before, const Frame& frame) {
 TriangleSurface surface_of(const Mesh& mesh, std::size_t vertices_before) {
   TriangleSurface surface;
   std::vector<Index> number(vertices_before, -1);
-  for (const auto v : mesh.vertices()) {  // ascending, those that are left
+  for (const auto v : mesh.vertices()) {  // the remaining ones, ascending
     number[v.idx()] = static_cast<Index>(surface.vertices.size());
     const Point& p = mesh.point(v);
     surface.vertices.emplace_back(p.x(), p.y(), p.z());
@@ -134,7 +135,8 @@ TriangleSurface reduce(const TriangleSurface& surface, int triangles) {
 
   Mesh direct = back(reduced(whole, wanted));
   if (!processing::does_self_intersect(direct)) return surface_of(direct, surface.vertices.size());
-  // Too few: in small steps, and the last step that does not intersect itself counts.
+  // So few triangles make the surface intersect itself. Reduce it in small steps instead, and take the last
+  // step that does not.
   std::optional<Mesh> last;
   Mesh step = whole;
   for (std::size_t most = surface.triangles.size(); most > wanted && step.number_of_faces() <= most;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables 1, 2 and 3 of the paper, row by row in the page's order and notation, with the readings that mend
-// them (readings.md).
+// Tables 1, 2 and 3 of the paper, row by row in the page's order and notation. Corrections to the printed
+// rows name their reading (readings.md). Table 4 is in engine/adaptation/table4.hpp.
 #pragma once
 
 #include <array>
@@ -11,15 +11,15 @@
 namespace tetproof::reference::tables {
 
 // clang-format off
-// The rows stand as on the page.
+// Each row of a table is one line, as on the page.
 
-/// The points a row of Table 2 can name: the lattice tetrahedron's vertices, p_ij = the intersection point on edge v_i v_j, and c = the centroid of the
-/// six points of case 12 (reading E2).
+/// The points that a row of Table 2 can name: v_i, the vertices of the lattice tetrahedron; p_ij, the intersection point on edge v_i v_j; and c, the
+/// centroid of the six points of case 12 (reading E2).
 enum RowPoint : std::uint8_t { v1, v2, v3, v4, p12, p13, p14, p23, p24, p34, c };
 
 inline constexpr int n = 0, y = 1;
 
-/// Table 1: the indicators of a lattice tetrahedron, sorted descending, and on which edges an intersection point is possible.
+/// Table 1: the indicators of a lattice tetrahedron, in descending order, and the edges that can have an intersection point.
 struct Table1Row {
   std::string_view name;
   std::array<std::int8_t, 4> indicators;  ///< of v1 .. v4: -1 outside, 0 on the surface, 1 inside
@@ -50,7 +50,7 @@ struct Table2Row {
   std::string_view name;
   std::array<std::int8_t, 4> indicators;
   int size = 0;                                   ///< number of tetrahedra
-  std::array<std::array<RowPoint, 4>, 8> tets{};  ///< as printed; orientation is mended where the row is applied (reading E7)
+  std::array<std::array<RowPoint, 4>, 8> tets{};  ///< as printed; orientation is corrected where the row is applied (reading E7)
 
   constexpr Table2Row(std::string_view name_, std::array<std::int8_t, 4> indicators_,
                       std::initializer_list<std::array<RowPoint, 4>> tets_)
@@ -82,7 +82,7 @@ inline constexpr std::array table2{
     Table2Row{"12d",  { 1,  1,  1, -1},  {{v1, v2, v3, p24},    {v1, v3, p14, p24},   {v3, p14, p24, p34}}},
     Table2Row{"12e",  { 1,  1,  1, -1},  {{v1, v2, v3, p24},    {v1, v3, p24, p34},   {v1, p14, p24, p34}}},
     Table2Row{"12f",  { 1,  1,  1, -1},  {{v1, v2, v3, p34},    {v1, v2, p24, p34},   {v1, p14, p24, p34}}},
-    // The two that Table 2 does not list, from the text below it (reading E2).
+    // The two triangulations that Table 2 does not list, from the text below it (reading E2).
     Table2Row{"12g",  { 1,  1,  1, -1},  {{v1, v2, v3, c}, {p14, p24, p34, c}, {v1, v2, p24, c}, {v1, p14, p24, c},
                                           {v2, v3, p34, c}, {v2, p24, p34, c}, {v1, v3, p14, c}, {v3, p14, p34, c}}},
     Table2Row{"12h",  { 1,  1,  1, -1},  {{v1, v2, v3, c}, {p14, p24, p34, c}, {v1, v2, p14, c}, {v2, p14, p24, c},
@@ -94,8 +94,8 @@ inline constexpr std::array table2{
 static_assert(table1.size() == 14 + 1 && table2.size() == 23 + 2 + 1, "14 cases in 23 printed rows, E2's two and E8's");
 
 /// Table 3: new indicators for an edge that meets the surface in more points than its indicators need (reading D6).
-enum class Points { any, even, odd };
-enum class Selected { none, closest_to_vi };
+enum class Points { any, even, odd };         ///< the number of intersection points on an edge
+enum class Selected { none, closest_to_vi };  ///< the intersection point that becomes the cut
 struct Table3Row {
   std::string_view name;
   std::int8_t vi, vj;          ///< initial indicators, vi <= vj
@@ -116,7 +116,8 @@ inline constexpr std::array table3{
 };
 static_assert(table3.size() == 7);
 
-/// The row for an edge with these initial indicators. The number of crossings between -1 and +1 is odd: that is what inside means (reading D6).
+/// The row of Table 3 for an edge with these initial indicators, -1 if there is none. Row 3a is never the answer: a closed surface crosses an edge
+/// between -1 and +1 an odd number of times (readings D6, E6).
 constexpr int table3_row(int vi, int vj) {
   for (std::size_t r = 0; r < table3.size(); ++r)
     if (table3[r].vi == vi && table3[r].vj == vj && table3[r].intersections != Points::even) return static_cast<int>(r);

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who sees what: runs verifiers of tetrahedral meshes on the files of this folder and prints the matrix as Markdown.
+"""Runs verifiers of tetrahedral meshes on the files of this folder and prints, as a Markdown table, which of them sees which defect.
 
 usage: matrix.py [--verify PROGRAM] [--every N] [--python PYTHON_WITH_VTK] > MATRIX.md
 
-Exit code: 0, or 1 when tetproof-verify misses a defective mesh or calls a sound one defective. Tools that are not installed are left out. OpenFOAM's
-checkMesh reads what its gmshToFoam makes of the mesh, and is looked for at WM_PROJECT_DIR, /usr/share/openfoam if that is not set."""
+Exit code: 0; or 1 if tetproof-verify misses a defective mesh, or calls another mesh defective. Tools that are not installed are left out. OpenFOAM's checkMesh
+gets the mesh that its gmshToFoam writes. OpenFOAM is expected at WM_PROJECT_DIR or, if that is not set, at /usr/share/openfoam."""
 import argparse
 import collections
 import json
@@ -40,7 +40,7 @@ for path in sys.argv[1:]:
         tets.append([int(w) - 1 for w in words[end + 3 + tags:end + 7 + tags]])
         at = end + 3 + tags + 4 - 1
     if any(v < 0 or v >= n for tet in tets for v in tet):
-        print(path, "refuses", flush=True)  # an unstructured grid cannot hold it
+        print(path, "refuses", flush=True)  # vtkUnstructuredGrid cannot hold such a mesh
         continue
     grid = vtk.vtkUnstructuredGrid()
     grid.SetPoints(points)
@@ -56,7 +56,7 @@ for path in sys.argv[1:]:
 
 
 def run(command, folder):
-    """Exit code (negative: a signal; None: no end after 20 seconds) and everything it said."""
+    """Runs a command. Returns its exit code (negative: a signal; None: it did not end within 20 seconds) and its whole output."""
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=20)
         return done.returncode, done.stdout + done.stderr
@@ -98,7 +98,7 @@ class TetGen:
 
     def __init__(self):
         code, said = run(["dpkg-query", "-W", "-f", "${Version}", "tetgen"], HERE) if shutil.which("dpkg-query") else (1, "")
-        self.version = "TetGen" + (" " + said.split("-")[0] if code == 0 else "")  # it does not tell itself
+        self.version = "TetGen" + (" " + said.split("-")[0] if code == 0 else "")  # TetGen does not print its version
 
     def judge(self, stem, folder):
         for ending in (".node", ".ele"):
@@ -120,7 +120,7 @@ class Vtk:
 
     def judge(self, stem, folder):
         code, said = run([self.python, "-c", VTK, stem + ".msh"], folder)
-        last = said.rstrip().split("\n")[-1]  # before it the validator may talk of every cell
+        last = said.rstrip().split("\n")[-1]  # the validator may print many lines before it
         return last.split()[-1] if code == 0 and last.startswith(stem) else CRASHES
 
 
@@ -187,8 +187,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     default = os.path.join(HERE, "..", "..", "build", "tetproof-verify")
     parser.add_argument("--verify", default=shutil.which("tetproof-verify") or default)
-    parser.add_argument("--every", type=int, default=1, help="only every N-th mesh")
-    parser.add_argument("--python", default="/usr/bin/python3", help="one that has VTK")
+    parser.add_argument("--every", type=int, default=1, help="use only every N-th mesh")
+    parser.add_argument("--python", default="/usr/bin/python3", help="a Python with VTK")
     arguments = parser.parse_args()
     with open(os.path.join(HERE, "index.json")) as file:
         entries = json.load(file)[::arguments.every]
@@ -198,9 +198,9 @@ def main():
 
     print("# Who sees what\n")
     print("Made by `corpus/bad-meshes/matrix.py` with " + "; ".join(tool.version for tool in used) + ".\n")
-    print("`sees`: says, by exit code or in words, that something is wrong. `-`: says nothing. `refuses`: does not read the mesh. `crashes`: ends by a signal, or not within 20 seconds.")
-    print("What a tool says of a sound mesh is a **complaint**: a false alarm, or of quality, which it measures as well. On a debatable mesh either is right.")
-    print("The other tools are made to answer other questions as well, and some of these not at all; they are what one has.\n")
+    print("`sees`: the tool says, by its exit code or in words, that something is wrong. `-`: it says nothing. `refuses`: it does not read the mesh. `crashes`: it ends by a signal, or does not end within 20 seconds.")
+    print("If a tool **complains** of a sound mesh, it is a false alarm, or a remark on quality, which some tools also measure. On a debatable mesh both answers are right.")
+    print("The other tools were built for other purposes, and some of these defects are not their subject; we know no dedicated verifier to compare with.\n")
     names = [tool.name for tool in used]
     rows, themes = [], collections.defaultdict(list)
     for entry in entries:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Doubles as integers over a common power of two: sums and products are exact. Internal.
+// Doubles as integer multiples of a common power of two, so that sums and products are exact. Internal.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace tetproof::corpus {
 
-/// Of any size; the first 1024 bits without an allocation.
+/// An integer of any size. Up to 1024 bits need no allocation.
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked,
@@ -21,7 +21,7 @@ using Integer = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 using IntegerPoint = std::array<Integer, 3>;
 
-/// The exponent of the last bit that any of these finite numbers has.
+/// The exponent of the lowest bit that is set in any of these coordinates, which must be finite.
 inline int last_bit(std::span<const Eigen::Vector3d> points) {
   int least = std::numeric_limits<int>::max();
   for (const Eigen::Vector3d& p : points)
@@ -36,7 +36,7 @@ inline int last_bit(std::span<const Eigen::Vector3d> points) {
   return least == std::numeric_limits<int>::max() ? 0 : least;
 }
 
-/// The number in units of 2^unit, which it must be a multiple of.
+/// x in units of 2^unit. It must be a multiple of 2^unit.
 inline Integer integer(double x, int unit) {
   if (x == 0) return 0;
   int exponent = 0;

@@ -10,11 +10,11 @@
 namespace tetproof::corpus {
 namespace {
 
-// A direction that may separate: the cross product of a difference of two corners and another one.
+// A direction along which two tetrahedra may be separated: the cross product of two differences of corners.
 struct Axis {
-  std::array<int, 4> ends;  // of the 8 corners
-  double gap;               // between the two along it, in doubles, in lengths: only to try likely ones first
-  bool flipped;             // the second tetrahedron is below
+  std::array<int, 4> ends;  // the corners of the two differences, from 0 to 7
+  double gap;    // between the two tetrahedra [length], in doubles: only to try likely directions first
+  bool flipped;  // whether the second tetrahedron is below the first
 };
 
 constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -42,7 +42,7 @@ std::vector<Axis> axes(const std::array<Eigen::Vector3d, 8>& p) {
   return found;
 }
 
-// The sign of the area of p q r, which lie in a plane with this normal.
+// The sign of the area of triangle p q r, which lies in a plane with this normal.
 int turn(const IntegerPoint& normal, const IntegerPoint& p, const IntegerPoint& q, const IntegerPoint& r) {
   return dot(normal, cross(q - p, r - p)).sign();
 }
@@ -81,7 +81,7 @@ Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners
   };
 
   Meeting result;
-  // The widest gap first: most often it settles the matter.
+  // The widest gap is tried first: it usually decides.
   std::vector<Axis> left = axes(points);
   while (!left.empty()) {
     const auto widest = std::max_element(left.begin(), left.end(),
@@ -97,12 +97,12 @@ Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners
                   bottom = *std::min_element(&height[upper], &height[upper] + 4);
     if (top > bottom) continue;
     if (top < bottom) return result;
-    // They touch in this plane only: what of each lies in it.
+    // The two touch, in this plane only. Find the corners of each that lie in it.
     std::array<std::vector<int>, 2> in_plane;
     for (int i = 0; i < 8; ++i)
       if (height[i] == top) in_plane[i / 4].push_back(i);
     for (const auto& side : in_plane)
-      if (std::all_of(side.begin(), side.end(), is_common)) return result;  // a simplex of both
+      if (std::all_of(side.begin(), side.end(), is_common)) return result;  // they meet in a common simplex
     std::array<std::vector<IntegerPoint>, 2> hull;
     for (int s = 0; s < 2; ++s)
       for (const int i : in_plane[s]) hull[s].push_back(p[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How two tetrahedra meet, over exact integers. Internal.
+// The way in which two tetrahedra meet, decided with exact integers. Internal.
 #pragma once
 
 #include <array>
@@ -10,19 +10,19 @@
 
 namespace tetproof::corpus {
 
-/// Finite points.
+/// The corners of a tetrahedron; must be finite.
 using Corners = std::array<Eigen::Vector3d, 4>;
 
-/// How two tetrahedra, not flat, of either orientation, meet.
+/// The way in which two tetrahedra meet. They may have any orientation but must not be flat.
 struct Meeting {
-  bool overlap = false;  ///< they have common inside
-  // Otherwise, of what they have in common beyond the simplex of their common vertices:
-  std::vector<int> one_in_other, other_in_one;  ///< corners of the one that lie in the other
-  bool crossing = false;                        ///< edges that cross
+  bool overlap = false;  ///< their interiors meet
+  // If they do not overlap, the contacts outside the simplex of their common vertices:
+  std::vector<int> one_in_other, other_in_one;  ///< corners of one that lie in the other
+  bool crossing = false;                        ///< whether an edge of one crosses an edge of the other
 };
 
-/// `one` and `other`: numbers of the corners; equal numbers are common vertices. By separating planes: 8
-/// along faces and 36 along an edge of each.
+/// `one` and `other` are the numbers of the corners; equal numbers are common vertices. The method looks for
+/// a separating plane: 8 candidates are parallel to a face, 36 to an edge of each tetrahedron.
 Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners& b,
                 const std::array<Index, 4>& other);
 

@@ -24,7 +24,8 @@ bool odd(const Face& face) {
   return ((face[0] > face[1]) + (face[1] > face[2]) + (face[0] > face[2])) % 2 != 0;
 }
 
-// Faces by their vertices, each with its tetrahedron and the order in which it names them.
+// Faces by their sorted vertices. Each use has its tetrahedron and the order in which that names the
+// vertices.
 using Faces = std::map<Face, std::vector<std::pair<Index, Face>>>;
 
 class Brute {
@@ -99,7 +100,7 @@ class Brute {
         all[sorted(face)].emplace_back(t, face);
       }
     }
-    Faces in_place;  // faces of one tetrahedron, by the first points in the places of their vertices
+    Faces in_place;  // boundary faces, by the first points that have the coordinates of their vertices
     std::map<std::array<Index, 2>, std::vector<Face>> at_edge;
     std::map<Index, std::vector<Face>> at_vertex;
     for (const auto& [key, sides] : all) {
@@ -129,7 +130,8 @@ class Brute {
       if (fans(v, fan) > 1) truth.nonmanifold_vertices.push_back(v);
   }
 
-  // How many sets of faces that hang together by edges at the vertex.
+  // The number of sets into which faces at a vertex fall, if faces that share an edge at the vertex belong
+  // together.
   static std::size_t fans(Index v, const std::vector<Face>& faces) {
     std::vector<std::size_t> parent(faces.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -216,7 +218,7 @@ class Brute {
   const TetMesh& mesh_;
   std::size_t most_;
   std::vector<std::uint8_t> usable_, flat_;
-  std::vector<Index> first_;  // the first point in the same place
+  std::vector<Index> first_;  // for each point, the first point with the same coordinates
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ TetMesh block_mesh(std::array<int, 3> cells, double jitter, std::uint64_t seed) 
           for (int c = 0; c < 3; ++c) p[c] += random.between(-jitter, jitter);
         mesh.points.push_back(p);
       }
-  // The six ways from a cell's lowest corner to its highest, one axis after the other; odd ones are turned.
+  // The six ways along the axes from the lowest corner of a cell to the highest. The last three are odd
+  // permutations, so their tetrahedra are turned.
   constexpr std::array<std::array<int, 3>, 6> ways{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
   for (int k = 0; k < cells[2]; ++k)
@@ -55,7 +56,7 @@ TetMesh ball_mesh(int layers, double jitter, std::uint64_t seed) {
     for (int axis = 0; axis < 3; ++axis)
       for (const double sign : {1.0, -1.0}) add(sign * layer * Eigen::Vector3d::Unit(axis));
   for (int octant = 0; octant < 8; ++octant) {
-    // Of the three half axes around it, every second octant sees a left hand.
+    // The three half axes around the octant form a left-handed system in every second octant.
     const bool odd = ((octant & 1) + (octant >> 1 & 1) + (octant >> 2 & 1)) % 2 != 0;
     const auto corner = [&](int axis, int layer) {
       return static_cast<Index>(6 * layer - 5 + 2 * axis + (octant >> axis & 1));
@@ -65,7 +66,8 @@ TetMesh ball_mesh(int layers, double jitter, std::uint64_t seed) {
       mesh.tets.push_back(tet);
     };
     add_tet({0, corner(0, 1), corner(1, 1), corner(2, 1)});
-    // A prism between two layers, its sides cut from the lower axis within to the higher axis without.
+    // A prism between two layers. Each side is cut from the inner corner on the lower axis to the outer
+    // corner on the higher axis.
     for (int layer = 1; layer < layers; ++layer) {
       const std::array<Index, 3> in{corner(0, layer), corner(1, layer), corner(2, layer)},
           out{corner(0, layer + 1), corner(1, layer + 1), corner(2, layer + 1)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies with axis-parallel faces: what a lattice meets when a surface follows its planes, is thinner than a
-// cell, or has a narrow neck.
+// The generators of bodies with axis-parallel faces. They test surfaces that lie in lattice planes, are
+// thinner than a cell, or have a narrow neck.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,8 @@
 namespace tetproof::corpus {
 namespace {
 
-// origin + h i: exact where h and the origin have few digits, as a lattice's then are.
+// The planes origin + h i. They are exact if h and the origin have few digits; the planes of a lattice then
+// are, too.
 std::vector<double> planes(const Values& values, const char* origin, std::vector<double> at) {
   for (double& x : at) x = values[origin] + values["h"] * x;
   for (std::size_t i = 1; i < at.size(); ++i)
@@ -39,7 +40,7 @@ CellBody box(const Values& values) {
       {{values["x0"], values["x1"]}, {values["y0"], values["y1"]}, {values["z0"], values["z1"]}}};
   for (int axis = 0; axis < 3; ++axis) {
     const double a = at[axis][0], b = at[axis][1];
-    // n + 1 different planes between them, with room for rounding
+    // there must be room for n + 1 different planes in spite of rounding
     if (!(b - a > 4e-16 * values["n"] * std::max(std::abs(a), std::abs(b))))
       values.refuse(std::string("expected ") + "xyz"[axis] + "0 below " + "xyz"[axis] + "1");
   }
@@ -62,8 +63,8 @@ CellBody terrain(const Values& values) {
   Random random(static_cast<std::uint64_t>(values["seed"]));
   std::vector<int> height(static_cast<std::size_t>(m) * m);
   for (int& h : height) h = 1 + random.below(m);
-  // Where two columns meet along an edge only, above both of their common neighbours, the surface would not
-  // be a manifold: one of the neighbours is raised.
+  // Where two diagonally adjacent columns are both higher than their two common neighbours, they would meet
+  // along an edge only, and the surface would not be a manifold. Then one of the neighbours is raised.
   const auto raise = [&](int& a, int& b, int c, int d) {
     if (std::max(a, b) >= std::min(c, d)) return false;
     (a > b ? a : b) = std::min(c, d);
@@ -132,7 +133,7 @@ std::vector<Parameter> in_lattice(std::vector<Parameter> own) {
     own.push_back({key, 0, -1e12, 1e12, "first corner; a vertex of the lattice"});
   own.push_back({"h", 1, 1e-9, 1e9, "the lattice's cell size"});
   own.push_back({"n", 1, 1, 1000,
-                 "each square between neighbouring planes is cut into n x n, of two triangles each",
+                 "each square between neighbouring planes is cut into n x n squares of two triangles",
                  Kind::integer});
   return own;
 }
@@ -140,7 +141,12 @@ std::vector<Parameter> in_lattice(std::vector<Parameter> own) {
 template <CellBody make_body(const Values&)>
 Generator generator(const char* name, const char* meaning, std::vector<Parameter> own,
                     const char* volume_text) {
-  return {name, meaning, std::move(own), volume_text, make<make_body>, volume_of<make_body>};
+  return {.name = name,
+          .meaning = meaning,
+          .parameters = std::move(own),
+          .volume_text = volume_text,
+          .make = make<make_body>,
+          .volume = volume_of<make_body>};
 }
 
 }  // namespace
@@ -156,24 +162,25 @@ std::vector<Generator> block_generators() {
                       {"z1", 1, -1e12, 1e12, "upper corner"},
                       {"n", 1, 1, 1290, "squares along each side", Kind::integer}},
                      "(x1 - x0) (y1 - y0) (z1 - z0)"),
-      generator<groove>(
-          "groove",
-          "a cube of m cells with a groove along y in its top; all vertices of its cells are on the surface",
-          in_lattice({{"m", 6, 3, 200, "cells along each side", Kind::integer},
-                      {"width", 1, 1, 198, "cells across the groove", Kind::integer},
-                      {"depth", 2, 1, 199, "cells down the groove", Kind::integer}}),
-          "h^3 (m^3 - width depth m)"),
+      generator<groove>("groove",
+                        "a cube of m cells with a groove along y in its top; all vertices of the groove's "
+                        "cells are on the surface",
+                        in_lattice({{"m", 6, 3, 200, "cells along each side", Kind::integer},
+                                    {"width", 1, 1, 198, "cells across the groove", Kind::integer},
+                                    {"depth", 2, 1, 199, "cells down the groove", Kind::integer}}),
+                        "h^3 (m^3 - width depth m)"),
       generator<terrain>(
           "terrain",
           "m x m columns of 1 to m cells, at random: steps, pits and coplanar faces in lattice planes",
-          in_lattice({{"seed", 1, 0, 9007199254740992, "which one", Kind::integer},
+          in_lattice({{"seed", 1, 0, 9007199254740992, "seed of the random numbers", Kind::integer},
                       {"m", 6, 1, 200, "columns along each side", Kind::integer}}),
           "h^3 times the number of cells"),
-      generator<hollow>("hollow", "a cube with a cubic cavity: a shell as thin as you like",
+      generator<hollow>("hollow", "a cube with a cubic cavity: a shell that can be very thin",
                         in_lattice({{"m", 6, 1e-3, 1e3, "side of the cube, in cells"},
                                     {"wall", 0.1, 1e-6, 500, "thickness of the wall, in cells"}}),
                         "h^3 (m^3 - (m - 2 wall)^3)"),
-      generator<bottle>("bottle", "a cube with a cubic void that a square neck joins to the outside",
+      generator<bottle>("bottle",
+                        "a cube with a cubic hollow that is open to the outside through a square neck",
                         in_lattice({{"m", 6, 1e-3, 1e3, "side of the cube, in cells"},
                                     {"wall", 1, 1e-6, 500, "thickness of the wall, in cells"},
                                     {"neck", 0.5, 1e-6, 1e3, "width of the neck, in cells"}}),

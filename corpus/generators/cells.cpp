@@ -7,7 +7,7 @@
 namespace tetproof::corpus {
 
 TriangleSurface boundary(const CellBody& body, int n) {
-  // Nodes of the refined planes, as one number each; they become vertices in ascending order.
+  // The nodes of the refined planes are numbered. Those that are used become vertices, in ascending order.
   std::array<std::uint64_t, 3> stride{1, body.cells(0) * n + 1, 0};
   stride[2] = stride[1] * (body.cells(1) * n + 1);
   std::vector<std::array<std::uint64_t, 4>> squares;  // anticlockwise seen from outside
@@ -19,7 +19,7 @@ TriangleSurface boundary(const CellBody& body, int n) {
         for (int axis = 0; axis < 3; ++axis)
           for (const int side : {0, 1}) {
             std::array<std::size_t, 3> next = c;
-            next[axis] += side ? 1 : -1;  // wraps to a large number below 0
+            next[axis] += side ? 1 : -1;  // below 0 it wraps around to a large number
             if (next[axis] < body.cells(axis) && body.at(next[0], next[1], next[2])) continue;
             const int u = (axis + (side ? 1 : 2)) % 3, v = (axis + (side ? 2 : 1)) % 3;
             const std::uint64_t start =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of a body made of the cells between axis-parallel planes: faces, edges and corners where a
-// lattice has its own.
+// The surface of a body that consists of cells between axis-parallel planes. Its faces, edges and corners can
+// coincide with those of a lattice.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace tetproof::corpus {
 
 struct CellBody {
   std::array<std::vector<double>, 3> planes;  ///< ascending, along x, y, z
-  std::vector<char> solid;  ///< x fastest, then y, then z; one less each way than there are planes
+  std::vector<char> solid;                    ///< for each cell; x runs fastest, then y, then z
 
   CellBody(std::vector<double> x, std::vector<double> y, std::vector<double> z, bool full)
       : planes{std::move(x), std::move(y), std::move(z)}, solid(cells(0) * cells(1) * cells(2), full) {}
@@ -23,11 +23,12 @@ struct CellBody {
   }
 };
 
-/// The boundary, outward, each cell's side cut into n x n squares of two triangles. It is a 2-manifold if
-/// cells that share an edge or a vertex are joined, or separated, through sides around it.
+/// The boundary of the solid cells, oriented outward. Each side of a cell is cut into n x n squares of two
+/// triangles. The boundary is a 2-manifold if, around every edge and every vertex, the solid cells are
+/// connected through common sides, and so are the empty ones.
 TriangleSurface boundary(const CellBody& body, int n = 1);
 
-/// The sum of the solid cells' volumes [length^3].
+/// The sum of the volumes of the solid cells [length^3].
 double volume(const CellBody& body);
 
 }  // namespace tetproof::corpus

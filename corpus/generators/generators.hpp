@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators that the library has, by the file they stand in.
+// The list of all generators. A new one is declared here and added to the list in corpus/surfaces.cpp.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace tetproof::corpus {
 
-Generator sphere_generator();  // sphere.cpp
-Generator torus_generator();   // torus.cpp
-Generator wing_generator();
-Generator random_generator();  // random_star.cpp
-Generator shells_generator();
-Generator octahedron_generator();
-std::vector<Generator> block_generators();
+Generator sphere_generator();               // sphere.cpp
+Generator torus_generator();                // torus.cpp
+Generator wing_generator();                 // wing.cpp
+Generator random_generator();               // random_star.cpp
+Generator shells_generator();               // shells.cpp
+Generator octahedron_generator();           // octahedron.cpp
+std::vector<Generator> block_generators();  // blocks.cpp
 
-/// All of them, in the order of the list that users see.
+/// All generators, in the order in which users see them.
 const std::vector<Generator>& generators();
 
-inline constexpr double most_triangles =
-    2e7;  ///< about 2 GB with parameters; beyond it a specification is refused
+/// A specification that asks for more triangles is refused: with (u,v) they would need more than about 2 GB.
+inline constexpr double most_triangles = 2e7;
 
 }  // namespace tetproof::corpus

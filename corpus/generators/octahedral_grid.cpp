@@ -15,8 +15,8 @@ Eigen::Vector3d octahedral_direction(const Eigen::Vector2d& uv) {
     y = std::copysign(1 - std::abs(uv[0]), uv[1]);
   }
   const double length = std::sqrt(x * x + y * y + z * z);
-  return {x / length + 0.0, y / length + 0.0,
-          z / length + 0.0};  // + 0.0: the two sides of a seam differ by -0
+  // Adding 0.0 turns -0 into 0, so that the two sides of a seam are equal.
+  return {x / length + 0.0, y / length + 0.0, z / length + 0.0};
 }
 
 int octahedral_frequency(double n) {
@@ -31,8 +31,8 @@ TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Ei
     return place(octahedral_direction({uv[0] - shift, uv[1]}));
   };
 
-  // Grid node (a,b), -f <= a,b <= f, has u = a/f, v = b/f. On the square's border two nodes (at its corners
-  // four) are one vertex.
+  // Grid node (a,b), -f <= a,b <= f, has u = a/f, v = b/f. On the border of the square two nodes are the same
+  // vertex, at its corners four.
   const int width = 2 * f + 1;
   std::vector<Index> number(static_cast<std::size_t>(width) * width, -1);
   const auto coordinate = [f, shift](int a) {
@@ -67,7 +67,7 @@ TriangleSurface octahedral_surface(int f, std::function<Eigen::Vector3d(const Ei
   surface.parameters.reserve(8 * static_cast<std::size_t>(f) * f);
   for (int b = -f; b < f; ++b)
     for (int a = -f; a < f; ++a) {
-      if ((a >= 0) == (b >= 0)) {  // the diagonal runs along |u|+|v| = const, as the equator does
+      if ((a >= 0) == (b >= 0)) {  // the diagonal runs along |u|+|v| = const, like the equator
         add({{{a, b}, {a + 1, b}, {a, b + 1}}});
         add({{{a + 1, b}, {a + 1, b + 1}, {a, b + 1}}});
       } else {

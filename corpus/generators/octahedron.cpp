@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The octahedron with its vertices on the axes. Around a lattice vertex with r a whole number of cells its
-// edges run through lattice vertices; with half a cell more its vertices lie on lattice edges.
+// The generator of octahedra with their vertices on the axes. If the centre is a lattice vertex and r is an
+// integer number of cells, the edges run through lattice vertices. If r is half a cell more, the vertices lie
+// on lattice edges.
 #include "corpus/generators/generators.hpp"
 
 namespace tetproof::corpus {
@@ -9,7 +10,7 @@ namespace {
 TriangleSurface make(const Values& values) {
   const Eigen::Vector3d centre = values.vector("x", "y", "z"), r = values.vector("rx", "ry", "rz");
   if (centre.cwiseAbs().maxCoeff() > 1e6 * r.minCoeff())
-    values.refuse("the centre is more than a million radii away");
+    values.refuse("the centre is more than a million radii from the origin");
   if (r.maxCoeff() > 1e6 * r.minCoeff()) values.refuse("rx, ry, rz: expected within a factor of a million");
   TriangleSurface surface;
   for (int axis = 0; axis < 3; ++axis)
@@ -33,17 +34,17 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator octahedron_generator() {
-  return {"octahedron",
-          "an octahedron with its vertices on the axes, 8 triangles",
-          {{"rx", 1, 1e-9, 1e9, "from the centre to the vertices along x"},
-           {"ry", 1, 1e-9, 1e9, "along y"},
-           {"rz", 1, 1e-9, 1e9, "along z"},
-           {"x", 0, -1e12, 1e12, "centre"},
-           {"y", 0, -1e12, 1e12, "centre"},
-           {"z", 0, -1e12, 1e12, "centre"}},
-          "4/3 rx ry rz",
-          make,
-          volume};
+  return {.name = "octahedron",
+          .meaning = "an octahedron with its vertices on the axes, 8 triangles",
+          .parameters = {{"rx", 1, 1e-9, 1e9, "from the centre to the vertices along x"},
+                         {"ry", 1, 1e-9, 1e9, "along y"},
+                         {"rz", 1, 1e-9, 1e9, "along z"},
+                         {"x", 0, -1e12, 1e12, "centre"},
+                         {"y", 0, -1e12, 1e12, "centre"},
+                         {"z", 0, -1e12, 1e12, "centre"}},
+          .volume_text = "4/3 rx ry rz",
+          .make = make,
+          .volume = volume};
 }
 
 }  // namespace tetproof::corpus

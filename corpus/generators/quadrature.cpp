@@ -12,8 +12,8 @@ GaussRule gauss_legendre(int n) {
   rule.weights.resize(n);
   for (int i = 0; i < (n + 1) / 2; ++i) {
     double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1;
-    for (int step = 0; step < 10;
-         ++step) {  // Newton on the Legendre polynomial P_n; quadratic from a good start
+    // Newton's method on the Legendre polynomial P_n, which converges quadratically from this good start.
+    for (int step = 0; step < 10; ++step) {
       double previous = 1, current = x;
       for (int k = 2; k <= n; ++k) {
         const double next = ((2 * k - 1) * x * current - (k - 1) * previous) / k;

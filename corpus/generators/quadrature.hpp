@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gauss-Legendre quadrature, for the volumes that have no closed form.
+// Gauss-Legendre quadrature, for volumes that have no closed form.
 #pragma once
 
 #include <vector>
 
 namespace tetproof::corpus {
 
-/// Nodes and weights on [0,1]; exact for polynomials of degree 2 n - 1 (Abramowitz and Stegun 25.4.29), to
-/// rounding.
+/// Nodes and weights on [0,1]. Up to rounding, n nodes are exact for polynomials of degree 2 n - 1
+/// (Abramowitz and Stegun 25.4.29).
 struct GaussRule {
   std::vector<double> nodes, weights;
 };
 
 GaussRule gauss_legendre(int n);
 
-/// Kahan's sum, so that thousands of terms cost no digits.
+/// Kahan's compensated sum, so that thousands of terms lose no digits.
 class Sum {
  public:
   void add(double x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers that are the same on every machine: the standard fixes the engine, but not its
-// distributions.
+// Random numbers that are the same on every machine. The C++ standard fixes the engine but not the
+// distributions, so the distributions are our own.
 #pragma once
 
 #include <cstdint>

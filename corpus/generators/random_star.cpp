@@ -16,7 +16,7 @@ TriangleSurface make(const Values& values) {
   const double r = values["r"];
   if (centre.cwiseAbs().maxCoeff() > 1e6 * r)
     values.refuse("the centre is more than a million radii from the origin");
-  // Each triangle seen from the centre is one of the octahedral grid's, so no two can intersect.
+  // Seen from the centre, the triangles are those of the octahedral grid, so no two of them can intersect.
   return octahedral_surface(octahedral_frequency(values["n"]),
                             [star = star(values), centre](const Eigen::Vector3d& direction) {
                               return Eigen::Vector3d(centre + star.radius(direction) * direction);
@@ -30,19 +30,19 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator random_generator() {
-  return {"random",
-          "a random smooth star-shaped body, 8 f^2 triangles with the f that comes nearest to n",
-          {{"seed", 1, 0, 9007199254740992, "which one", Kind::integer},
-           {"n", 5000, 8, most_triangles, "triangles, about", Kind::integer},
-           {"r", 1, 1e-9, 1e9, "mean radius"},
-           {"roughness", 0.5, 0, 0.9, "the radius varies by at most this much of r"},
-           {"waves", 1.5, 0, 4, "highest frequency of the bumps: waves along a radius"},
-           {"x", 0, -1e12, 1e12, "centre"},
-           {"y", 0, -1e12, 1e12, "centre"},
-           {"z", 0, -1e12, 1e12, "centre"}},
-          "by quadrature, converged to 1e-12",
-          make,
-          volume};
+  return {.name = "random",
+          .meaning = "a random smooth star-shaped body, 8 f^2 triangles with the f that comes nearest to n",
+          .parameters = {{"seed", 1, 0, 9007199254740992, "seed of the random numbers", Kind::integer},
+                         {"n", 5000, 8, most_triangles, "approximate number of triangles", Kind::integer},
+                         {"r", 1, 1e-9, 1e9, "mean radius"},
+                         {"roughness", 0.5, 0, 0.9, "the largest change of the radius, as a fraction of r"},
+                         {"waves", 1.5, 0, 4, "the highest frequency of the bumps, in waves along a radius"},
+                         {"x", 0, -1e12, 1e12, "centre"},
+                         {"y", 0, -1e12, 1e12, "centre"},
+                         {"z", 0, -1e12, 1e12, "centre"}},
+          .volume_text = "by quadrature, converged to 1e-12",
+          .make = make,
+          .volume = volume};
 }
 
 }  // namespace tetproof::corpus

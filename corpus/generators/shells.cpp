@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nested spheres: a body with a cavity, in which there may be a body with a cavity ...
+// The generator of nested spheres: a body with a cavity, which may hold another body with a cavity, and so
+// on.
 #include <cmath>
 #include <numbers>
 
@@ -23,9 +24,10 @@ TriangleSurface make(const Values& values) {
   std::vector<double> radii;
   for (int shell = 0; shell < count; ++shell) radii.push_back(radius(values, shell));
   if (centre.cwiseAbs().maxCoeff() > 1e6 * radii.back())
-    values.refuse("the centre is more than a million radii away");
-  // The faces of an inner sphere must not reach through those of the next outer one: a face of frequency f is
-  // at least cos(a) of its radius from the centre, a the circumradius of the widest, below 1.1 / f.
+    values.refuse("the centre is more than a million radii from the origin");
+  // The triangles of a sphere lie inside it, so they must not reach the next inner sphere. Their distance
+  // from the centre is at least cos(a) of the radius, where a is the angular circumradius of the largest
+  // triangle, below 1.1 / f.
   const double least = f == 1 ? 1 / std::sqrt(3.0) : 1 - 0.605 / (f * static_cast<double>(f));
   for (int shell = 1; shell < count; ++shell)
     if (!(radii[shell] < least * radii[shell - 1]))
@@ -45,7 +47,7 @@ TriangleSurface make(const Values& values) {
     for (std::size_t t = 0; t < one.triangles.size(); ++t) {
       auto [a, b, c] = one.triangles[t];
       auto parameters = one.parameters[t];
-      if (shell % 2 == 1) {  // a cavity: its surface points inwards, out of the solid
+      if (shell % 2 == 1) {  // a cavity: its normals point into it, out of the solid
         std::swap(b, c);
         std::swap(parameters[1], parameters[2]);
       }
@@ -66,19 +68,21 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator shells_generator() {
-  return {
-      "shells",
-      "nested spheres, radii evenly from r to inner: a body with a cavity (count=2), a body in it (3) ...",
-      {{"r", 1, 1e-9, 1e9, "outermost radius"},
-       {"inner", 0.5, 1e-9, 1e9, "innermost radius"},
-       {"count", 2, 2, 8, "spheres", Kind::integer},
-       {"n", 5000, 16, most_triangles, "triangles of all together, about", Kind::integer},
-       {"x", 0, -1e12, 1e12, "centre"},
-       {"y", 0, -1e12, 1e12, "centre"},
-       {"z", 0, -1e12, 1e12, "centre"}},
-      "4/3 pi times the alternating sum of the radii cubed",
-      make,
-      volume};
+  return {.name = "shells",
+          .meaning =
+              "nested spheres with evenly spaced radii from r to inner: a body with a cavity (count=2), a "
+              "body in it (3) ...",
+          .parameters = {{"r", 1, 1e-9, 1e9, "outermost radius"},
+                         {"inner", 0.5, 1e-9, 1e9, "innermost radius"},
+                         {"count", 2, 2, 8, "number of spheres", Kind::integer},
+                         {"n", 5000, 16, most_triangles,
+                          "approximate number of triangles of all spheres together", Kind::integer},
+                         {"x", 0, -1e12, 1e12, "centre"},
+                         {"y", 0, -1e12, 1e12, "centre"},
+                         {"z", 0, -1e12, 1e12, "centre"}},
+          .volume_text = "4/3 pi times the alternating sum of the radii cubed",
+          .make = make,
+          .volume = volume};
 }
 
 }  // namespace tetproof::corpus

@@ -14,7 +14,7 @@
 namespace tetproof::corpus {
 namespace {
 
-// A message is one line of moderate length whatever the specification holds.
+// The text as messages show it: printable ASCII, and at most 80 characters.
 std::string shown(std::string_view text) {
   std::string out;
   for (char c : text.substr(0, 80)) out += c >= ' ' && c <= '~' ? c : '?';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a generator of surfaces is, and how "name:key=value,..." becomes its parameters.
+// The interface of a generator of surfaces, and the parser of "name:key=value,..." for its parameters.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,11 @@ namespace tetproof::corpus {
 enum class Kind {
   real,         ///< any finite decimal number
   integer,      ///< a whole number
-  four_digits,  ///< exactly four digits, as NACA's names have them; its value is the number they spell
+  four_digits,  ///< exactly four digits, as in the names of NACA sections; their value as a number
 };
 
-/// One parameter of a generator. A value outside [least, most] is refused.
+/// One parameter of a generator, written in one line: {"r", 1, 1e-9, 1e9, "radius"}. A value outside [least,
+/// most] is refused.
 struct Parameter {
   const char* key;
   double preset;
@@ -29,12 +30,12 @@ struct Parameter {
 
 struct Generator;
 
-/// The parameters of one surface, in the order of its generator's list.
+/// The values of the parameters of one surface.
 class Values {
  public:
   Values(const Generator& generator, std::string spec);
 
-  /// The value of `key`, which the generator must have: std::logic_error otherwise.
+  /// The value of `key`. Throws std::logic_error if the generator has no such parameter.
   double operator[](std::string_view key) const;
   Eigen::Vector3d vector(const char* x, const char* y, const char* z) const {
     return {(*this)[x], (*this)[y], (*this)[z]};
@@ -42,7 +43,7 @@ class Values {
   void set(std::string_view key, double value);
 
   const std::string& spec() const { return spec_; }
-  /// InputError: "SPEC: MESSAGE".
+  /// Throws InputError with the text "SPEC: MESSAGE".
   [[noreturn]] void refuse(const std::string& message) const;
 
  private:
@@ -51,21 +52,22 @@ class Values {
   std::vector<double> values_;
 };
 
-/// A family of surfaces.
+/// A family of surfaces. Written with designated initialisers.
 struct Generator {
   const char* name;
   const char* meaning;
   std::vector<Parameter> parameters;
-  const char* volume_text;                 ///< how the smooth body's volume is known
-  TriangleSurface (*make)(const Values&);  ///< throws InputError for combinations that give no surface
+  const char* volume_text;                 ///< the formula or the method behind `volume`, for users
+  TriangleSurface (*make)(const Values&);  ///< throws InputError for values that give no valid surface
   std::optional<double> (*volume)(const Values&);  ///< of the smooth body [length^3]
 };
 
-/// A number as messages and lists show it: 1e+09 rather than 1000000000, but with all its digits.
+/// A number as messages and lists show it: short, as 1e+09 for 1000000000, but with all its digits.
 std::string number_text(double x);
 
-/// Reads "name:key=value,key=value" or "name" for `generator`, whose name it starts with. InputError with one
-/// line naming the key and the known ones, or the value and what was expected.
+/// Reads "name:key=value,key=value" or "name", where `name` is that of `generator`. Throws InputError with
+/// one line: for an unknown key it names the key and the known ones, for a bad value the value and what was
+/// expected.
 Values parse_values(const Generator& generator, const std::string& spec);
 
 }  // namespace tetproof::corpus

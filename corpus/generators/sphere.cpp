@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sphere: an octahedron whose faces are cut into f^2 triangles each, blown up; 8 f^2 triangles.
+// The generator of spheres: an octahedron whose faces are divided into f^2 triangles each, projected onto the
+// sphere.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,16 +28,16 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator sphere_generator() {
-  return {"sphere",
-          "a sphere: an octahedron blown up, 8 f^2 triangles with the f that comes nearest to n",
-          {{"r", 1, 1e-9, 1e9, "radius"},
-           {"n", 5000, 8, most_triangles, "triangles, about", Kind::integer},
-           {"x", 0, -1e12, 1e12, "centre"},
-           {"y", 0, -1e12, 1e12, "centre"},
-           {"z", 0, -1e12, 1e12, "centre"}},
-          "4/3 pi r^3",
-          make,
-          volume};
+  return {.name = "sphere",
+          .meaning = "a sphere: a subdivided octahedron, 8 f^2 triangles with the f that comes nearest to n",
+          .parameters = {{"r", 1, 1e-9, 1e9, "radius"},
+                         {"n", 5000, 8, most_triangles, "approximate number of triangles", Kind::integer},
+                         {"x", 0, -1e12, 1e12, "centre"},
+                         {"y", 0, -1e12, 1e12, "centre"},
+                         {"z", 0, -1e12, 1e12, "centre"}},
+          .volume_text = "4/3 pi r^3",
+          .make = make,
+          .volume = volume};
 }
 
 }  // namespace tetproof::corpus

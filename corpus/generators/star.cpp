@@ -39,8 +39,8 @@ double Star::radius(const Eigen::Vector3d& d) const {
 }
 
 double Star::volume() const {
-  // Gauss in z, the trapezoidal rule around: both converge faster than any power, as the integrand is
-  // analytic.
+  // Gauss quadrature in z and the trapezoidal rule in the angle. Both converge faster than any power of the
+  // step, because the integrand is analytic.
   const auto integral = [&](int n) {
     const GaussRule rule = gauss_legendre(n);
     Sum sum;
@@ -52,7 +52,7 @@ double Star::volume() const {
         sum.add(rule.weights[i] * radius * radius * radius);
       }
     }
-    // z runs over 2, the angle over 2 pi in 2 n steps
+    // z has the range 2; the angle has the range 2 pi and 2 n steps
     return sum.value() * 2 * 2 * std::numbers::pi / (2 * n) / 3;
   };
   double coarse = integral(32);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A random smooth star-shaped body: a radius for each direction.
+// A random smooth star-shaped body, which has one radius for each direction.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,16 +8,16 @@
 
 namespace tetproof::corpus {
 
-/// radius(d) = r (1 + roughness * sum_k a_k cos(2 pi (f_k . d + phase_k))), sum |a_k| = 1, |f_k| <= waves; d
-/// a unit vector. So the radius stays within r (1 - roughness) and r (1 + roughness). The same bits on every
-/// machine.
+/// For a unit vector d, radius(d) = r (1 + roughness * sum_k a_k cos(2 pi (f_k . d + phase_k))) with sum
+/// |a_k| = 1 and |f_k| <= waves. So the radius is between r (1 - roughness) and r (1 + roughness). The bits
+/// are the same on every machine.
 class Star {
  public:
   Star(std::uint64_t seed, double r, double roughness, double waves);
 
   double radius(const Eigen::Vector3d& direction) const;
-  /// The integral of radius^3 / 3 over all directions, converged to 1e-12 of it; std::logic_error if it does
-  /// not.
+  /// The volume [length^3]: the integral of radius^3 / 3 over all directions, converged to a relative 1e-12.
+  /// Throws std::logic_error if it does not converge.
   double volume() const;
 
  private:

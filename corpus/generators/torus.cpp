@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The torus around the z axis, as a grid of planar trapezoids, each cut in two.
+// The generator of tori around the z axis: a grid of planar trapezoids, each cut into two triangles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,18 +54,19 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator torus_generator() {
-  return {
-      "torus",
-      "a torus around the z axis: a grid of nu x nv quadrilaterals, nu / nv about R / r, 2 nu nv triangles",
-      {{"R", 1, 1e-9, 1e9, "radius of the tube's centre line"},
-       {"r", 0.4, 1e-12, 1e9, "radius of the tube, 0.001 R to 0.999 R"},
-       {"n", 5000, 18, most_triangles, "triangles, about", Kind::integer},
-       {"x", 0, -1e12, 1e12, "centre"},
-       {"y", 0, -1e12, 1e12, "centre"},
-       {"z", 0, -1e12, 1e12, "centre"}},
-      "2 pi^2 R r^2",
-      make,
-      volume};
+  return {.name = "torus",
+          .meaning =
+              "a torus around the z axis: a grid of nu x nv quadrilaterals, nu / nv about R / r, 2 nu nv "
+              "triangles",
+          .parameters = {{"R", 1, 1e-9, 1e9, "radius of the tube's centre line"},
+                         {"r", 0.4, 1e-12, 1e9, "radius of the tube, 0.001 R to 0.999 R"},
+                         {"n", 5000, 18, most_triangles, "approximate number of triangles", Kind::integer},
+                         {"x", 0, -1e12, 1e12, "centre"},
+                         {"y", 0, -1e12, 1e12, "centre"},
+                         {"z", 0, -1e12, 1e12, "centre"}},
+          .volume_text = "2 pi^2 R r^2",
+          .make = make,
+          .volume = volume};
 }
 
 }  // namespace tetproof::corpus

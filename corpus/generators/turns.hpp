@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sine and cosine of an angle in turns, the same bits on every machine, which the C library's do not promise.
+// The sine and cosine of an angle in turns, with the same bits on every machine. The functions of the C
+// library do not promise that.
 #pragma once
 
 #include <cmath>
@@ -10,13 +11,13 @@ struct CosSin {
   double cos, sin;
 };
 
-/// cos(2 pi t) and sin(2 pi t), within 2 units in the last place of 1. Exact at multiples of a quarter turn,
-/// exactly even and odd, and t and t + 1 give the same bits where t + 1 is exact.
+/// cos(2 pi t) and sin(2 pi t), with an error of at most 2 units in the last place of 1. They are exact at
+/// multiples of a quarter turn, and exactly even and odd. t and t + 1 give the same bits if t + 1 is exact.
 inline CosSin cos_sin_turns(double t) {
-  const double quarter = std::nearbyint(4 * t);            // ties to even, alike for t and -t
+  const double quarter = std::nearbyint(4 * t);  // ties go to even, so that t and -t are treated alike
   const double x = (t - quarter / 4) * 6.283185307179586;  // the difference is exact; |x| <= pi / 4
   const double y = x * x;
-  // Taylor: the first terms left out are below 1e-17 here.
+  // Taylor series. The first terms that are left out are below 1e-17 here.
   double c = 0, s = 0;
   for (int k = 8; k >= 1; --k) {
     c = -(1 + c) * y / ((2 * k - 1) * (2 * k));

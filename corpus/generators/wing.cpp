@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A straight wing with a NACA four-digit section, closed by flat tips.
+// The generator of straight wings with a NACA four-digit section, closed by flat tips.
 //
-// Section: thickness and mean line of NACA Report 460 (Jacobs, Ward and Pinkerton 1933), with the last
-// coefficient of the thickness -0.1036 for a trailing edge of no thickness; thickness laid off normal to the
-// mean line.
+// The section has the thickness and the mean line of NACA Report 460 (Jacobs, Ward and Pinkerton 1933). The
+// last coefficient of the thickness is -0.1036, so that the trailing edge has no thickness. The thickness is
+// laid off normal to the mean line.
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +15,11 @@ namespace tetproof::corpus {
 namespace {
 
 struct Section {
-  double m = 0, p = 0, t = 0;  // camber, its place, thickness: fractions of the chord
+  double m = 0, p = 0, t = 0;  // camber, its position, thickness: fractions of the chord
 
-  // Half the thickness at x = s^2, 0 <= s <= 1. The polynomial 0.2969 s - 0.1260 s^2 - 0.3516 s^4 + 0.2843
-  // s^6 - 0.1036 s^8 with its zeros at 0 and 1 divided out, so that it is exactly 0 at the edges and nowhere
-  // negative between them.
+  // Half the thickness at x = s^2, 0 <= s <= 1: the polynomial 0.2969 s - 0.1260 s^2 - 0.3516 s^4 + 0.2843
+  // s^6 - 0.1036 s^8, with the factors s and 1 - s of its zeros taken out. So it is exactly 0 at both edges,
+  // and not negative between them.
   double half_thickness(double s) const {
     const double s2 = s * s, s3 = s2 * s;
     return 5 * t * s * (1 - s) *
@@ -34,7 +34,7 @@ struct Section {
     if (m == 0) return 0;
     return 2 * m / (x < p ? p * p : (1 - p) * (1 - p)) * (p - x);
   }
-  // Does the thickness reach the mean line's centre of curvature anywhere?
+  // Whether the thickness reaches the centre of curvature of the mean line anywhere.
   bool folds() const {
     if (m == 0) return false;
     for (int i = 1; i < 1000; ++i) {
@@ -44,8 +44,8 @@ struct Section {
     }
     return false;
   }
-  // Area over chord^2: the integral of the thickness along the mean line (laid off to both sides alike, its
-  // curvature cancels).
+  // Area over chord^2: the integral of the thickness along the mean line. The curvature of the mean line
+  // cancels, because the thickness is the same on both sides.
   double area() const {
     const GaussRule rule = gauss_legendre(64);
     const double kink = m == 0 ? 1 : std::sqrt(p);
@@ -66,7 +66,7 @@ Section section(const Values& values) {
     values.refuse("naca: expected a thickness (last two digits) of 01 to 50");
   if (section.m > 0 && section.p == 0)
     values.refuse(
-        "naca: expected a place of the camber (second digit) of 1 to 9, as the first digit is not 0");
+        "naca: expected a position of the camber (second digit) of 1 to 9, because the first digit is not 0");
   if (section.folds()) values.refuse("naca: too thick for its camber, the section folds over itself");
   return section;
 }
@@ -80,8 +80,9 @@ TriangleSurface make(const Values& values) {
     values.refuse("x, y, z: more than a million chords or spans from the origin");
 
   TriangleSurface surface;
-  // u: -1 trailing edge, lower side; 0 leading edge; 1 trailing edge, upper side. v: 0 to 1 along the span;
-  // below 0 and above 1 the tips, where the thickness shrinks to the mean line at -1 and 2.
+  // u is -1 at the trailing edge on the lower side, 0 at the leading edge, 1 at the trailing edge on the
+  // upper side. v goes from 0 to 1 along the span. The tips have v below 0 and above 1; there the thickness
+  // shrinks to 0 at v = -1 and 2.
   surface.evaluate = [section, chord, span, corner](const Eigen::Vector2d& uv) {
     const double s = cos_sin_turns(std::abs(uv[0]) / 4).sin, x = s * s, slope = section.mean_slope(x);
     const double part = std::max(0.0, 1 - std::max({0.0, -uv[1], uv[1] - 1}));
@@ -123,14 +124,15 @@ TriangleSurface make(const Values& values) {
     }
   const std::size_t tips = surface.triangles.size();
   for (int i = -k; i < k; ++i) {
-    // Between stations i and i + 1, from the section's outline to the mean line, which meet at both edges.
+    // The part of the tip between stations i and i + 1, from the outline of the section to the mean line.
+    // They meet at both edges.
     const bool sharp_first = i == -k || i == 0, sharp_last = i + 1 == 0 || i + 1 == k;
     if (!sharp_first) add({i, -1}, {i + 1, 0}, {i, 0});
     if (!sharp_last) add({i, sharp_first ? 0 : -1}, {i + 1, -1}, {i + 1, 0});
     if (!sharp_first) add({i, nv + 1}, {i, nv}, {i + 1, nv});
     if (!sharp_last) add({i, sharp_first ? nv : nv + 1}, {i + 1, nv}, {i + 1, nv + 1});
   }
-  // With few stations even a section that does not fold may do so; its tips show it.
+  // With few stations, the triangulation may fold even if the section does not. The tips show that.
   for (std::size_t t = tips; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     const Eigen::Vector3d p = surface.vertices[b] - surface.vertices[a],
@@ -149,19 +151,21 @@ std::optional<double> volume(const Values& values) {
 }  // namespace
 
 Generator wing_generator() {
-  return {"wing",
+  return {
+      .name = "wing",
+      .meaning =
           "a straight wing, NACA four-digit section with a sharp trailing edge in the xz plane, span along "
           "y, flat tips",
-          {{"naca", 12, 0, 9999, "the section", Kind::four_digits},
-           {"chord", 1, 1e-9, 1e9, "length of the section"},
-           {"span", 3, 1e-9, 1e9, "from tip to tip"},
-           {"n", 5000, 20, most_triangles, "triangles, about", Kind::integer},
-           {"x", 0, -1e12, 1e12, "leading edge of the first tip"},
-           {"y", 0, -1e12, 1e12, "leading edge of the first tip"},
-           {"z", 0, -1e12, 1e12, "leading edge of the first tip"}},
-          "area of the section by quadrature, converged to 1e-12, times the span",
-          make,
-          volume};
+      .parameters = {{"naca", 12, 0, 9999, "the section", Kind::four_digits},
+                     {"chord", 1, 1e-9, 1e9, "length of the section"},
+                     {"span", 3, 1e-9, 1e9, "from tip to tip"},
+                     {"n", 5000, 20, most_triangles, "approximate number of triangles", Kind::integer},
+                     {"x", 0, -1e12, 1e12, "leading edge of the first tip"},
+                     {"y", 0, -1e12, 1e12, "leading edge of the first tip"},
+                     {"z", 0, -1e12, 1e12, "leading edge of the first tip"}},
+      .volume_text = "area of the section by quadrature, converged to 1e-12, times the span",
+      .make = make,
+      .volume = volume};
 }
 
 }  // namespace tetproof::corpus

@@ -19,8 +19,8 @@ struct Base {
   TetMesh mesh;
 };
 
-// Where a kind is planted: the first of these that has a place for it. On whole numbers midpoints are exact,
-// off them they are rounded.
+// The meshes in which a kind may be planted; the first one that has a place for it is used. Between points
+// with integer coordinates midpoints are exact; in jittered meshes they are rounded.
 std::vector<Base> bases(const PlantKind& kind) {
   const Base cell{"cell", block_mesh({2, 1, 1})}, block{"block", block_mesh({2, 2, 2})},
       jittered{"jittered", block_mesh({2, 2, 2}, 0.1, 3)}, ball{"ball", ball_mesh(2, 0.1, 3)},
@@ -43,7 +43,7 @@ const Place here{"", 1, {0, 0, 0}}, far{"far", 1, {1e6, -0.9e6, 1.1e6}}, tiny{"t
 
 constexpr std::uint64_t most_seeds = 60;
 
-// The first planting of a kind that `fits`.
+// The first planting of a kind for which `fits` is true.
 std::optional<Planted> first(const PlantKind& kind, const Place& place,
                              const std::function<bool(const Planted&)>& fits) {
   for (const Base& base : bases(kind)) {
@@ -58,7 +58,10 @@ void add(std::vector<BadMesh>& all, const PlantKind& kind, const Place& place, c
          const std::function<bool(const Planted&)>& fits) {
   auto planted = first(kind, place, fits);
   if (!planted) return;
-  BadMesh mesh{kind.id + suffix, &kind, {kind.flags.begin(), kind.flags.end()}, std::move(*planted)};
+  BadMesh mesh{.name = kind.id + suffix,
+               .kind = &kind,
+               .flags = {kind.flags.begin(), kind.flags.end()},
+               .planted = std::move(*planted)};
   if (*place.name) mesh.name += std::string("-") + place.name, mesh.flags.emplace_back(place.name);
   all.push_back(std::move(mesh));
 }
@@ -68,7 +71,7 @@ void add_sound(std::vector<BadMesh>& all, const char* name, TetMesh mesh) {
   nothing.mesh = std::move(mesh);
   nothing.truth = truth(nothing.mesh);
   if (!nothing.truth.valid()) throw std::logic_error(std::string(name) + " is not sound");
-  all.push_back({name, nullptr, {"control"}, std::move(nothing)});
+  all.push_back({.name = name, .kind = nullptr, .flags = {"control"}, .planted = std::move(nothing)});
 }
 
 std::vector<std::int64_t> numbers(const std::vector<Index>& positions) {
@@ -89,7 +92,7 @@ std::vector<BadMesh> bad_meshes() {
   for (const PlantKind& kind : plant_kinds()) {
     if (kind.has("campaign")) continue;
     if (kind.has("rounding") && kind.has("slit")) {
-      // As it came out of rounding: once a slit remains, once something overlaps.
+      // Rounding decides what becomes of these kinds. One file shows a slit, another one an overlap.
       add(all, kind, here, "-slit", [](const Planted& p) { return p.truth.valid(); });
       add(all, kind, here, "-overlap", [](const Planted& p) { return !p.truth.valid(); });
     } else {

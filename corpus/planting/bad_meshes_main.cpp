@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the files of corpus/bad-meshes. By hand, when kinds were added: `ninja bad_meshes && ./bad_meshes
-// FOLDER`.
+// The program that writes the files of corpus/bad-meshes. It is run by hand after a kind is added or changed:
+// `ninja bad_meshes && ./bad_meshes FOLDER`.
 #include <iostream>
 
 #include "corpus/bad_meshes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses places, and decides by exact arithmetic whether what was planted is what its kind promises.
+// Chooses places, and decides by exact arithmetic whether the planted defect is what its kind promises.
 #include "corpus/plant.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace tetproof::corpus {
 namespace {
 
-// What two kinds in one place come to: nothing is known of it but the truth.
+// Two kinds in one place can have any effect together: only the truth of the mesh tells what it is.
 bool is_together(const PlantKind& kind) {
   return kind.id == std::string_view("any-two-together");
 }
 
-// Whether the mesh is as valid as what was planted promises; says what it is.
+// Whether the mesh is valid, or not valid, as the planted kinds promise. Sets `planted.expected`.
 bool keeps_promise(const std::vector<const PlantKind*>& kinds, bool together, Planted& planted) {
   const bool valid = planted.truth.valid();
   if (together || !kinds[0]->expected) {
@@ -30,13 +30,14 @@ bool keeps_promise(const std::vector<const PlantKind*>& kinds, bool together, Pl
     slit = slit || kind->has("slit");
     invalid = invalid || (kind->expected == Expected::defective && !kind->has("slit"));
   }
-  // A node that hangs is all that is wrong with its tetrahedra.
+  // A hanging node must be the only defect of its tetrahedra.
   if (slit && kinds.size() == 1 && !(planted.truth.negative.empty() && planted.truth.flat.empty()))
     return false;
   return invalid ? !valid : slit || valid;
 }
 
-// Adds what a kind demands of a report, as far as it is true. False if nothing of it is.
+// Adds the checks that a kind demands of a report, as far as the truth confirms them. False if it confirms
+// none.
 bool demand(const PlantKind& kind, Planted& planted, PlantedRoot root) {
   for (const auto* ids : {&kind.needed, &kind.also})
     for (const char* id : *ids) planted.admissible.emplace_back(id);
@@ -53,7 +54,7 @@ bool demand(const PlantKind& kind, Planted& planted, PlantedRoot root) {
   return true;
 }
 
-// What is worth a warning wherever it is true, or was before.
+// Admits warnings that are true of the mesh, or were true before anything was planted.
 void admit_warnings(Planted& planted, const std::vector<const char*>& before) {
   planted.admissible.insert(planted.admissible.end(), before.begin(), before.end());
   for (const char* id :
@@ -64,7 +65,7 @@ void admit_warnings(Planted& planted, const std::vector<const char*>& before) {
                            planted.admissible.end());
 }
 
-// What was planted first, by its place in the copy.
+// The tetrahedra and vertices of the first of two plantings, by their positions in the copy.
 struct First {
   std::vector<Index> tets, vertices;
 };
@@ -76,7 +77,7 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
   Planted planted;
   planted.mesh = std::move(result.mesh);
   const bool whole = result.changed.size() * 4 > planted.mesh.tets.size();
-  // Of many tetrahedra, pairs only where single ones do not settle what is asked.
+  // If many tetrahedra have changed, pairs are examined only if no tetrahedron is negative.
   planted.truth = truth(planted.mesh, result.changed, whole ? 0 : 64);
   if (whole && planted.truth.negative.empty()) planted.truth = truth(planted.mesh, result.changed, 16);
   if (!keeps_promise(kinds, together, planted)) return std::nullopt;
@@ -103,8 +104,8 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
       if (!demand(*kinds[i], planted, std::move(places[i]))) return std::nullopt;
   }
   admit_warnings(planted, site.parts.warned);
-  // What rounding flattened or turned over beside what was meant is another kind. (Of a tetrahedron twice one
-  // may be negative.)
+  // If rounding has also flattened or inverted a tetrahedron, the mesh is an example of another kind. (One of
+  // two duplicates may be negative.)
   const auto admitted = [&](const char* id) {
     return together ||
            std::find(planted.admissible.begin(), planted.admissible.end(), id) != planted.admissible.end();
@@ -115,7 +116,8 @@ std::optional<Planted> finished(const Site& site, const std::vector<const PlantK
   return planted;
 }
 
-// In one place the truth alone decides: nothing there may hang on rounding.
+// A random kind that changes the mesh locally. If two are planted in one place, only the truth decides, so
+// kinds whose effect depends on rounding are left out.
 const PlantKind& any_local_kind(Random& random, bool together) {
   const auto& all = plant_kinds();
   for (;;) {
@@ -156,7 +158,7 @@ std::optional<Planted> plant(const PlantKind& kind, const Ground& ground, std::u
     Outcome planted_first = outcome(site);
     const First first{std::move(planted_first.origins), std::move(planted_first.vertices)};
     if (!together) {
-      // Both keep their promise also alone.
+      // Each must keep its promise when it is planted alone.
       taken = taken_by(site);
       Random same = random;
       Site alone(parts, same, taken);

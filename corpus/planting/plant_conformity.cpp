@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: nodes that hang, and quadrilaterals whose two sides are cut along different diagonals.
+// The kinds of non-conforming meshes: hanging nodes, and quadrilaterals cut along different diagonals on
+// their two sides.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +9,8 @@
 namespace tetproof::corpus {
 namespace {
 
-constexpr double rounding = 1e-13;  // of the diagonal: what these defects may be off their edge or face
+// The largest distance of a hanging node from its edge or face, as a fraction of the diagonal.
+constexpr double rounding = 1e-13;
 
 double limit(const Site& s) {
   const double largest = std::max(s.parts.low.cwiseAbs().maxCoeff(), s.parts.high.cwiseAbs().maxCoeff());
@@ -20,7 +22,7 @@ struct Edge {
   std::vector<Index> around{};
 };
 
-// An edge of several tetrahedra, all free, inside or on the boundary.
+// A random edge with at least two tetrahedra, all of them free; it lies inside or on the boundary.
 Edge some_edge(Site& s, bool boundary) {
   Edge edge;
   const int turn = s.random.below(6);
@@ -74,14 +76,14 @@ bool two_on_one_edge(Site& s) {
   for (const Point& node : {p, q})
     if (!within_of_line(node, s.at(edge.a), s.at(edge.b), limit(s))) return false;
   const Index first = s.add(p);
-  const auto part = static_cast<Index>(s.mesh.tets.size());  // the one that keeps b
+  const auto part = static_cast<Index>(s.mesh.tets.size());  // the number of the new half
   if (!s.split_edge({edge.around[0]}, edge.a, edge.b, first)) return false;
   const Tet& one = s.mesh.tets[static_cast<std::size_t>(edge.around[0])];
   const bool keeps_b = std::count(one.begin(), one.end(), edge.b) > 0;
   return s.split_edge({keeps_b ? edge.around[0] : part}, first, edge.b, s.add(q));
 }
 
-// Cuts a tetrahedron into three at a node on its face.
+// Splits a tetrahedron into three at a node on its face.
 bool hang_in_face(Site& s, std::array<double, 3> weights, bool aside) {
   Index t = -1;
   int corner = 0;
@@ -109,8 +111,8 @@ bool hang_in_face(Site& s, std::array<double, 3> weights, bool aside) {
   return true;
 }
 
-// The two tetrahedra of a face, one cut at the middle of one of its edges, the other at the middle of
-// another.
+// Splits the two tetrahedra of a face, one at the midpoint of an edge of the face, the other at the midpoint
+// of another edge.
 bool nodes_on_both_sides(Site& s) {
   Index t = -1;
   int corner = 0;
@@ -128,9 +130,10 @@ bool conforming_split(Site& s) {
   return edge.a >= 0 && s.split_edge(edge.around, edge.a, edge.b, s.add((s.at(edge.a) + s.at(edge.b)) / 2));
 }
 
-// Nodes on two edges of a face between two tetrahedra, everything around them split; the quadrilateral
-// between them and the third edge is cut along one diagonal by the one tetrahedron, along the other by the
-// other. `bend`: how far the first node is off the face, of the shortest edge.
+// Puts nodes on two edges of a face between two tetrahedra, and splits all tetrahedra around these edges. The
+// quadrilateral between the nodes and the third edge is cut along one diagonal by one of the two tetrahedra,
+// and along the other diagonal by the other one. `bend`: the distance of the first node from the face, in
+// shortest edges.
 bool crossed(Site& s, double bend) {
   Index t = -1;
   int corner = 0;
@@ -148,7 +151,7 @@ bool crossed(Site& s, double bend) {
   const Index x = s.add(p), y = s.add(q);
   std::erase(at_ab, u);
   std::erase(at_ac, t);
-  // t: first at x, then the part that keeps a and c at y; u the other way round.
+  // t is split at x first, and then its part that keeps a and c at y. u is split the other way round.
   const auto part_with = [&](Index first, Index v, Index w) {
     const auto has = [&](Index i) {
       const Tet& tet = s.mesh.tets[static_cast<std::size_t>(i)];
@@ -175,117 +178,110 @@ std::vector<PlantKind> conformity_kinds() {
   const std::vector<const char*> node{"hanging-node"}, diagonal{"crossed-diagonal"},
       holes{"cavity", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"};
   return {
-      {"hanging-on-edge",
-       defective,
-       {"conformity", "slit"},
-       node,
-       {},
-       "one of the tetrahedra around an inner edge is cut at its middle",
-       [](Site& s) { return hang_on_edge(s, false, false, Where::middle); }},
-      {"hanging-on-edge-several",
-       defective,
-       {"conformity", "slit"},
-       node,
-       {},
-       "some of the tetrahedra around an inner edge are cut at its middle",
-       [](Site& s) { return hang_on_edge(s, false, true, Where::middle); }},
-      {"hanging-at-a-third",
-       defective,
-       {"conformity", "rounding", "slit"},
-       node,
-       {},
-       "one of the tetrahedra around an inner edge is cut at a third of it, as rounded",
-       [](Site& s) { return hang_on_edge(s, false, false, Where::third); }},
-      {"hanging-off-edge",
-       defective,
-       {"conformity", "rounding", "slit"},
-       node,
-       {},
-       "the same at its middle, the node some units in the last place aside",
-       [](Site& s) { return hang_on_edge(s, false, s.random.below(2) == 0, Where::aside); }},
-      {"hanging-twice-on-edge",
-       defective,
-       {"conformity", "rounding", "slit"},
-       node,
-       {},
-       "one of the tetrahedra around an inner edge is cut at both its thirds",
-       two_on_one_edge},
-      {"hanging-on-boundary-edge",
-       defective,
-       {"conformity", "boundary", "slit"},
-       node,
-       {},
-       "some of the tetrahedra around an edge of the boundary are cut at its middle",
-       [](Site& s) { return hang_on_edge(s, true, true, Where::middle); }},
-      {"hanging-off-boundary-edge",
-       defective,
-       {"conformity", "boundary", "rounding", "slit"},
-       node,
-       {},
-       "the same, the node some units in the last place aside",
-       [](Site& s) { return hang_on_edge(s, true, true, Where::aside); }},
-      {"hanging-in-face",
-       defective,
-       {"conformity", "slit"},
-       node,
-       {},
-       "one of the two tetrahedra of a face is cut at its centroid",
-       [](Site& s) {
-         return hang_in_face(s, {1 / 3.0, 1 / 3.0, 1 / 3.0}, false);
-       }},
-      {"hanging-anywhere-in-face",
-       defective,
-       {"conformity", "slit"},
-       node,
-       {},
-       "one of the two tetrahedra of a face is cut at a quarter of it",
-       [](Site& s) {
-         return hang_in_face(s, {0.25, 0.5, 0.25}, false);
-       }},
-      {"hanging-off-face",
-       defective,
-       {"conformity", "rounding", "slit"},
-       node,
-       {},
-       "the same at its centroid, the node some units in the last place above or below",
-       [](Site& s) {
-         return hang_in_face(s, {1 / 3.0, 1 / 3.0, 1 / 3.0}, true);
-       }},
-      {"hanging-on-both-sides",
-       defective,
-       {"conformity", "slit"},
-       node,
-       {},
-       "the two tetrahedra of a face are cut at the middles of different edges of it",
-       nodes_on_both_sides},
-      {"crossed-diagonals",
-       defective,
-       {"conformity", "slit"},
-       diagonal,
-       {},
-       "a quadrilateral is cut along one diagonal on its one side, along the other on its other",
-       [](Site& s) { return crossed(s, 0); }},
-      {"crossed-diagonals-bent",
-       defective,
-       {"conformity", "overlap"},
-       diagonal,
-       {},
-       "the same on a bent quadrilateral: the tetrahedra overlap",
-       crossed_bent},
-      {"crossed-diagonals-open",
-       debatable,
-       {"conformity", "missing"},
-       holes,
-       holes,
-       "the same bent the other way: a tetrahedron is missing",
-       crossed_bent},
-      {"split-edge",
-       sound,
-       {"control", "conformity"},
-       {},
-       {},
-       "all tetrahedra around an edge are cut at its middle: nothing is wrong",
-       conforming_split},
+      {.id = "hanging-on-edge",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = node,
+       .comment = "one of the tetrahedra around an inner edge is split at the edge's midpoint",
+       .mutate = [](Site& s) { return hang_on_edge(s, false, false, Where::middle); }},
+      {.id = "hanging-on-edge-several",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = node,
+       .comment = "some of the tetrahedra around an inner edge are split at the edge's midpoint",
+       .mutate = [](Site& s) { return hang_on_edge(s, false, true, Where::middle); }},
+      {.id = "hanging-at-a-third",
+       .expected = defective,
+       .flags = {"conformity", "rounding", "slit"},
+       .needed = node,
+       .comment = "one of the tetrahedra around an inner edge is split at a third of the edge, as rounded",
+       .mutate = [](Site& s) { return hang_on_edge(s, false, false, Where::third); }},
+      {.id = "hanging-off-edge",
+       .expected = defective,
+       .flags = {"conformity", "rounding", "slit"},
+       .needed = node,
+       .comment = "some of the tetrahedra around an inner edge are split a few units in the last place off "
+                  "its midpoint",
+       .mutate = [](Site& s) { return hang_on_edge(s, false, s.random.below(2) == 0, Where::aside); }},
+      {.id = "hanging-twice-on-edge",
+       .expected = defective,
+       .flags = {"conformity", "rounding", "slit"},
+       .needed = node,
+       .comment = "one of the tetrahedra around an inner edge is split at both thirds of the edge",
+       .mutate = two_on_one_edge},
+      {.id = "hanging-on-boundary-edge",
+       .expected = defective,
+       .flags = {"conformity", "boundary", "slit"},
+       .needed = node,
+       .comment = "some of the tetrahedra around a boundary edge are split at the edge's midpoint",
+       .mutate = [](Site& s) { return hang_on_edge(s, true, true, Where::middle); }},
+      {.id = "hanging-off-boundary-edge",
+       .expected = defective,
+       .flags = {"conformity", "boundary", "rounding", "slit"},
+       .needed = node,
+       .comment = "some of the tetrahedra around a boundary edge are split a few units in the last place off "
+                  "its midpoint",
+       .mutate = [](Site& s) { return hang_on_edge(s, true, true, Where::aside); }},
+      {.id = "hanging-in-face",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = node,
+       .comment = "one of the two tetrahedra of a face is split at the face's centroid",
+       .mutate =
+           [](Site& s) {
+             return hang_in_face(s, {1 / 3.0, 1 / 3.0, 1 / 3.0}, false);
+           }},
+      {.id = "hanging-anywhere-in-face",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = node,
+       .comment = "one of the two tetrahedra of a face is split at another point of the face",
+       .mutate =
+           [](Site& s) {
+             return hang_in_face(s, {0.25, 0.5, 0.25}, false);
+           }},
+      {.id = "hanging-off-face",
+       .expected = defective,
+       .flags = {"conformity", "rounding", "slit"},
+       .needed = node,
+       .comment = "one of the two tetrahedra of a face is split a few units in the last place off the face's "
+                  "centroid",
+       .mutate =
+           [](Site& s) {
+             return hang_in_face(s, {1 / 3.0, 1 / 3.0, 1 / 3.0}, true);
+           }},
+      {.id = "hanging-on-both-sides",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = node,
+       .comment = "the two tetrahedra of a face are split at the midpoints of different edges of the face",
+       .mutate = nodes_on_both_sides},
+      {.id = "crossed-diagonals",
+       .expected = defective,
+       .flags = {"conformity", "slit"},
+       .needed = diagonal,
+       .comment = "a quadrilateral is cut along different diagonals on its two sides",
+       .mutate = [](Site& s) { return crossed(s, 0); }},
+      {.id = "crossed-diagonals-bent",
+       .expected = defective,
+       .flags = {"conformity", "overlap"},
+       .needed = diagonal,
+       .comment =
+           "a bent quadrilateral is cut along different diagonals on its two sides: the tetrahedra overlap",
+       .mutate = crossed_bent},
+      {.id = "crossed-diagonals-open",
+       .expected = debatable,
+       .flags = {"conformity", "missing"},
+       .needed = holes,
+       .also = holes,
+       .comment =
+           "a bent quadrilateral is cut along different diagonals on its two sides: a tetrahedron is missing",
+       .mutate = crossed_bent},
+      {.id = "split-edge",
+       .expected = sound,
+       .flags = {"control", "conformity"},
+       .comment = "all tetrahedra around an edge are split at its midpoint: nothing is wrong",
+       .mutate = conforming_split},
   };
 }
 

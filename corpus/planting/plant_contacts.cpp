@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: a boundary that touches itself in a vertex, an edge or a face, by the same numbers or by others.
+// The kinds in which the boundary touches itself at a vertex, an edge or a face, with shared points or with
+// separate ones.
 #include <algorithm>
 
 #include "corpus/planting/plant_site.hpp"
@@ -7,7 +8,7 @@
 namespace tetproof::corpus {
 namespace {
 
-// The boundary faces at a vertex or, with b, at an edge, as outward normals of length 1.
+// The outward unit normals of the boundary faces at vertex a or, if b is given, at edge a b.
 std::vector<Point> normals_at(const Site& s, Index a, Index b = -1) {
   std::vector<Point> found;
   for (const Index t : s.tets_at(a))
@@ -41,7 +42,7 @@ bool at_vertex(Site& s, bool same_number) {
   return true;
 }
 
-// A boundary edge: a face's two corners.
+// A random edge a b of a random boundary face, and the tetrahedron t of the face.
 bool some_boundary_edge(Site& s, Index& a, Index& b, Index& t) {
   int corner = 0;
   if (!s.some_boundary_face(t, corner)) return false;
@@ -66,13 +67,13 @@ bool at_edge(Site& s, bool same_numbers) {
   return true;
 }
 
-// A tetrahedron outside that has an edge across the middle of a boundary edge.
+// Adds a tetrahedron outside, one of whose edges crosses the middle of a boundary edge.
 bool edges_cross(Site& s) {
   Index a = -1, b = -1, t = -1;
   if (!some_boundary_edge(s, a, b, t)) return false;
   const auto normals = normals_at(s, a, b);
   if (normals.size() != 2) return false;
-  // Across: in no face's plane below it.
+  // The new edge runs across the boundary edge and does not go below the faces beside it.
   const Point out = outwards(s, a, b), along = s.at(b) - s.at(a), middle = (s.at(a) + s.at(b)) / 2;
   Point across = out.cross(along).normalized() * 0.25 * s.size(t);
   for (int k = 0; k < 3; ++k) across[k] = static_cast<double>(static_cast<float>(across[k]));
@@ -99,7 +100,7 @@ bool on_face(Site& s, bool same_numbers) {
   return true;
 }
 
-// A tetrahedron outside with `corners` of its corners exactly inside a boundary face.
+// Adds a tetrahedron outside that has `corners` of its corners exactly inside a boundary face.
 bool in_face(Site& s, int corners) {
   Index t = -1;
   int corner = 0;
@@ -128,14 +129,14 @@ bool copy_face_to_face(Site& s) {
   return true;
 }
 
-// Two vertices of the boundary, or of its inside, that are one point for the connectivity.
+// Adds a chain of two tetrahedra to a boundary vertex. They are connected at vertices only, as happens if
+// components are merged too eagerly.
 bool merged_vertices(Site& s) {
   const Index v =
       s.some_vertex([&](Index w) { return s.parts.on_boundary[static_cast<std::size_t>(w)] != 0; });
   if (v < 0) return false;
   const Point out = outwards(s, v);
   const double size = 0.5 * s.size(s.tets_at(v)[0]);
-  // A chain of two tetrahedra, pinched in the middle, as seen where components are merged too eagerly.
   const Tet one{v, s.add(s.at(v) + size * (out + 0.3 * s.direction())),
                 s.add(s.at(v) + size * (out + 0.3 * s.direction())),
                 s.add(s.at(v) + size * (out + 0.3 * s.direction()))};
@@ -156,91 +157,84 @@ std::vector<PlantKind> contact_kinds() {
   constexpr auto defective = Expected::defective, sound = Expected::sound, debatable = Expected::debatable;
   const std::vector<const char*> points{"duplicate-point"};
   return {
-      {"pinched-vertex",
-       debatable,
-       {"boundary"},
-       {"boundary-nonmanifold-vertex"},
-       {},
-       "the boundary touches itself in a vertex, by the same number",
-       [](Site& s) { return at_vertex(s, true); }},
-      {"touching-vertex",
-       defective,
-       {"boundary", "points"},
-       {"boundary-self-intersection"},
-       points,
-       "the boundary touches itself in a vertex, by another number",
-       [](Site& s) { return at_vertex(s, false); }},
-      {"pinched-edge",
-       debatable,
-       {"boundary"},
-       {"boundary-nonmanifold-edge"},
-       {"boundary-nonmanifold-vertex"},
-       "the boundary touches itself in an edge, by the same numbers",
-       [](Site& s) { return at_edge(s, true); }},
-      {"touching-edge",
-       defective,
-       {"boundary", "points"},
-       {"boundary-self-intersection"},
-       points,
-       "the boundary touches itself in an edge, by other numbers",
-       [](Site& s) { return at_edge(s, false); }},
-      {"crossing-edges",
-       defective,
-       {"boundary"},
-       {"boundary-self-intersection"},
-       {"near-contact"},
-       "two edges of the boundary cross in a point",
-       edges_cross},
-      {"grown-face",
-       sound,
-       {"control", "boundary"},
-       {},
-       {},
-       "a further tetrahedron on a boundary face: nothing is wrong",
-       [](Site& s) { return on_face(s, true); }},
-      {"touching-face",
-       defective,
-       {"boundary", "cracks", "points"},
-       {"crack"},
-       points,
-       "the boundary touches itself in a face, by other numbers",
-       [](Site& s) { return on_face(s, false); }},
-      {"tip-on-face",
-       defective,
-       {"boundary"},
-       {"boundary-self-intersection"},
-       {},
-       "a tetrahedron outside, its tip exactly in a boundary face",
-       [](Site& s) { return in_face(s, 1); }},
-      {"edge-on-face",
-       defective,
-       {"boundary"},
-       {"boundary-self-intersection"},
-       {},
-       "a tetrahedron outside, one of its edges exactly in a boundary face",
-       [](Site& s) { return in_face(s, 2); }},
-      {"face-on-face",
-       defective,
-       {"boundary"},
-       {"boundary-self-intersection"},
-       {},
-       "a tetrahedron outside, one of its faces exactly in a larger boundary face",
-       [](Site& s) { return in_face(s, 3); }},
-      {"blocks-face-to-face",
-       defective,
-       {"boundary", "whole", "points"},
-       {"crack", "boundary-self-intersection"},
-       {"crack", "boundary-self-intersection", "duplicate-point", "near-contact", "overlap", "hanging-node",
-        "crossed-diagonal"},
-       "a second copy of the mesh that touches it, with points of its own",
-       copy_face_to_face},
-      {"pinched-chain",
-       debatable,
-       {"boundary"},
-       {"boundary-nonmanifold-vertex"},
-       {},
-       "a chain of tetrahedra that hang together in vertices only",
-       merged_vertices},
+      {.id = "pinched-vertex",
+       .expected = debatable,
+       .flags = {"boundary"},
+       .needed = {"boundary-nonmanifold-vertex"},
+       .comment = "the boundary touches itself at a vertex, and both sides use the same point",
+       .mutate = [](Site& s) { return at_vertex(s, true); }},
+      {.id = "touching-vertex",
+       .expected = defective,
+       .flags = {"boundary", "points"},
+       .needed = {"boundary-self-intersection"},
+       .also = points,
+       .comment = "the boundary touches itself at a vertex, and each side has its own point",
+       .mutate = [](Site& s) { return at_vertex(s, false); }},
+      {.id = "pinched-edge",
+       .expected = debatable,
+       .flags = {"boundary"},
+       .needed = {"boundary-nonmanifold-edge"},
+       .also = {"boundary-nonmanifold-vertex"},
+       .comment = "the boundary touches itself along an edge, and both sides use the same points",
+       .mutate = [](Site& s) { return at_edge(s, true); }},
+      {.id = "touching-edge",
+       .expected = defective,
+       .flags = {"boundary", "points"},
+       .needed = {"boundary-self-intersection"},
+       .also = points,
+       .comment = "the boundary touches itself along an edge, and each side has its own points",
+       .mutate = [](Site& s) { return at_edge(s, false); }},
+      {.id = "crossing-edges",
+       .expected = defective,
+       .flags = {"boundary"},
+       .needed = {"boundary-self-intersection"},
+       .also = {"near-contact"},
+       .comment = "two edges of the boundary cross in a point",
+       .mutate = edges_cross},
+      {.id = "grown-face",
+       .expected = sound,
+       .flags = {"control", "boundary"},
+       .comment = "an additional tetrahedron on a boundary face: nothing is wrong",
+       .mutate = [](Site& s) { return on_face(s, true); }},
+      {.id = "touching-face",
+       .expected = defective,
+       .flags = {"boundary", "cracks", "points"},
+       .needed = {"crack"},
+       .also = points,
+       .comment = "the boundary touches itself at a face, and each side has its own points",
+       .mutate = [](Site& s) { return on_face(s, false); }},
+      {.id = "tip-on-face",
+       .expected = defective,
+       .flags = {"boundary"},
+       .needed = {"boundary-self-intersection"},
+       .comment = "a tetrahedron outside, whose tip lies exactly in a boundary face",
+       .mutate = [](Site& s) { return in_face(s, 1); }},
+      {.id = "edge-on-face",
+       .expected = defective,
+       .flags = {"boundary"},
+       .needed = {"boundary-self-intersection"},
+       .comment = "a tetrahedron outside, one of whose edges lies exactly in a boundary face",
+       .mutate = [](Site& s) { return in_face(s, 2); }},
+      {.id = "face-on-face",
+       .expected = defective,
+       .flags = {"boundary"},
+       .needed = {"boundary-self-intersection"},
+       .comment = "a tetrahedron outside, one of whose faces lies exactly in a larger boundary face",
+       .mutate = [](Site& s) { return in_face(s, 3); }},
+      {.id = "blocks-face-to-face",
+       .expected = defective,
+       .flags = {"boundary", "whole", "points"},
+       .needed = {"crack", "boundary-self-intersection"},
+       .also = {"crack", "boundary-self-intersection", "duplicate-point", "near-contact", "overlap",
+                "hanging-node", "crossed-diagonal"},
+       .comment = "a second copy of the mesh that touches it, with its own points",
+       .mutate = copy_face_to_face},
+      {.id = "pinched-chain",
+       .expected = debatable,
+       .flags = {"boundary"},
+       .needed = {"boundary-nonmanifold-vertex"},
+       .comment = "a chain of tetrahedra that are connected only at vertices",
+       .mutate = merged_vertices},
   };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: further copies of the whole mesh.
+// The kinds that add a second copy of the whole mesh.
 #include <algorithm>
 
 #include "corpus/planting/plant_site.hpp"
@@ -12,7 +12,7 @@ bool copy(Site& s, const Point& shift) {
   return true;
 }
 
-// A copy whose lowest vertex in some direction is just below the highest of the mesh.
+// Adds a copy whose lowest vertex in a random direction lies `depth` below the highest vertex of the mesh.
 bool tip_to_tip(Site& s, double depth) {
   Index t = -1;
   int corner = 0;
@@ -46,59 +46,59 @@ std::vector<PlantKind> copy_kinds() {
   constexpr auto defective = Expected::defective, sound = Expected::sound;
   const std::vector<const char*> either{"overlap", "boundary-self-intersection"};
   return {
-      {"blocks-interpenetrate",
-       defective,
-       {"overlap", "whole"},
-       either,
-       {},
-       "a second copy of the mesh, moved by a part of its size",
-       [](Site& s) { return copy(s, s.random.between(0.02, 0.4) * s.parts.diagonal * s.direction()); }},
-      {"blocks-interpenetrate-1e-12",
-       defective,
-       {"overlap", "whole", "rounding"},
-       either,
-       {"near-contact"},
-       "a second copy of the mesh beside it, in it by 1e-12 of the diagonal",
-       [](Site& s) { return tip_to_tip(s, std::max(1e-12 * s.parts.diagonal, 4 * s.unit())); }},
-      {"blocks-shifted-slightly",
-       defective,
-       {"overlap", "whole", "rounding"},
-       either,
-       {"near-contact"},
-       "a second copy of the mesh, moved by 1e-13 to 1e-6 of its size",
-       [](Site& s) {
-         return copy(s, std::max(s.magnitude(-43, -20) * s.parts.diagonal, 4 * s.unit()) * s.direction());
-       }},
-      {"copy-in-place",
-       defective,
-       {"overlap", "whole", "points"},
-       either,
-       {"duplicate-point", "crack"},
-       "a second copy of the mesh in the same place, with points of its own",
-       [](Site& s) {
-         return copy(s, {0, 0, 0});
-       }},
-      {"copy-beside",
-       sound,
-       {"control", "whole"},
-       {},
-       {},
-       "a second copy of the mesh well beside it: nothing is wrong",
-       [](Site& s) { return copy(s, 1.5 * s.parts.diagonal * s.direction()); }},
-      {"nested-component",
-       defective,
-       {"overlap", "whole"},
-       {"overlap"},
-       {},
-       "a small copy of the mesh inside one of its tetrahedra, where there should be a cavity",
-       [](Site& s) { return nested(s, 0.9, false); }},
-      {"nested-component-negative",
-       defective,
-       {"overlap", "orientation", "whole"},
-       {"inverted"},
-       {"flat"},
-       "a small copy of the mesh inside one of its tetrahedra, wound negative as if that made a cavity",
-       [](Site& s) { return nested(s, 0.9, true); }},
+      {.id = "blocks-interpenetrate",
+       .expected = defective,
+       .flags = {"overlap", "whole"},
+       .needed = either,
+       .comment = "a second copy of the mesh, moved by a fraction of its size",
+       .mutate =
+           [](Site& s) { return copy(s, s.random.between(0.02, 0.4) * s.parts.diagonal * s.direction()); }},
+      {.id = "blocks-interpenetrate-1e-12",
+       .expected = defective,
+       .flags = {"overlap", "whole", "rounding"},
+       .needed = either,
+       .also = {"near-contact"},
+       .comment = "a second copy of the mesh beside it, which reaches into it by 1e-12 of the diagonal",
+       .mutate = [](Site& s) { return tip_to_tip(s, std::max(1e-12 * s.parts.diagonal, 4 * s.unit())); }},
+      {.id = "blocks-shifted-slightly",
+       .expected = defective,
+       .flags = {"overlap", "whole", "rounding"},
+       .needed = either,
+       .also = {"near-contact"},
+       .comment = "a second copy of the mesh, moved by 1e-13 to 1e-6 of its size",
+       .mutate =
+           [](Site& s) {
+             return copy(s, std::max(s.magnitude(-43, -20) * s.parts.diagonal, 4 * s.unit()) * s.direction());
+           }},
+      {.id = "copy-in-place",
+       .expected = defective,
+       .flags = {"overlap", "whole", "points"},
+       .needed = either,
+       .also = {"duplicate-point", "crack"},
+       .comment = "a second copy of the mesh in the same place, with its own points",
+       .mutate =
+           [](Site& s) {
+             return copy(s, {0, 0, 0});
+           }},
+      {.id = "copy-beside",
+       .expected = sound,
+       .flags = {"control", "whole"},
+       .comment = "a second copy of the mesh at a clear distance: nothing is wrong",
+       .mutate = [](Site& s) { return copy(s, 1.5 * s.parts.diagonal * s.direction()); }},
+      {.id = "nested-component",
+       .expected = defective,
+       .flags = {"overlap", "whole"},
+       .needed = {"overlap"},
+       .comment = "a small copy of the mesh inside one of its tetrahedra, where there should be a cavity",
+       .mutate = [](Site& s) { return nested(s, 0.9, false); }},
+      {.id = "nested-component-negative",
+       .expected = defective,
+       .flags = {"overlap", "orientation", "whole"},
+       .needed = {"inverted"},
+       .also = {"flat"},
+       .comment =
+           "a small copy of the mesh inside one of its tetrahedra, all inverted as if that made a cavity",
+       .mutate = [](Site& s) { return nested(s, 0.9, true); }},
   };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: faces that are not shared as each side has points of its own.
+// The kinds of cracks: coincident faces that are not shared, because each side has its own copies of the
+// points.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,14 +10,16 @@
 namespace tetproof::corpus {
 namespace {
 
-// Gives those of `side` points of their own where others use them, too. `place`: where the new point lies.
+// Gives the tetrahedra of `side` their own copies of the points that they share with other tetrahedra.
+// `place` maps a point to its copy; if empty, the copy has the same coordinates.
 bool crack(Site& s, const std::vector<std::uint8_t>& side,
            const std::function<Point(const Point&)>& place = {}) {
   std::map<Index, Index> own;
   for (Index t = 0; t < s.tets(); ++t) {
     if (!side[static_cast<std::size_t>(t)]) continue;
     for (Index& v : s.mesh.tets[static_cast<std::size_t>(t)]) {
-      if (v < 0 || v >= static_cast<Index>(s.parts.mesh.points.size())) continue;  // of another planting
+      if (v < 0 || v >= static_cast<Index>(s.parts.mesh.points.size()))
+        continue;  // a point of the first of two plantings
       const auto& star = s.tets_at(v);
       if (std::all_of(star.begin(), star.end(),
                       [&](Index u) { return side[static_cast<std::size_t>(u)] != 0; }))
@@ -38,7 +41,8 @@ bool around_tet(Site& s) {
   return crack(s, side);
 }
 
-// A second point in the place of a vertex, for one of its tetrahedra: as many faces are cracked.
+// Gives one tetrahedron its own copy of one vertex. `faces`: the number of its shared faces at this vertex,
+// which become cracks.
 bool at_vertex(Site& s, int faces) {
   int corner = 0;
   const int turn = s.random.below(4);
@@ -64,7 +68,7 @@ std::vector<std::uint8_t> above_plane(const Site& s, const Point& n, const Point
   return side;
 }
 
-// Half of the tetrahedra at a vertex have it under another number.
+// Gives about half of the tetrahedra at a vertex a common second copy of it.
 bool half_star(Site& s) {
   const Index v = s.some_vertex([&](Index w) { return s.tets_at(w).size() > 3; });
   if (v < 0) return false;
@@ -122,63 +126,62 @@ std::vector<PlantKind> crack_kinds() {
   constexpr auto defective = Expected::defective;
   const std::vector<const char*> found{"crack"}, points{"duplicate-point"};
   return {
-      {"duplicate-point-used",
-       defective,
-       {"cracks", "points"},
-       found,
-       points,
-       "one tetrahedron uses a second point in the place of a vertex",
-       [](Site& s) { return at_vertex(s, 3); }},
-      {"crack-along-face",
-       defective,
-       {"cracks", "points", "boundary"},
-       found,
-       points,
-       "one face has another vertex on its other side, in the same place",
-       [](Site& s) { return at_vertex(s, 1); }},
-      {"crack-around-tet",
-       defective,
-       {"cracks", "points"},
-       found,
-       points,
-       "a tetrahedron has four points of its own",
-       around_tet},
-      {"crack-through-vertex",
-       defective,
-       {"cracks", "points"},
-       found,
-       points,
-       "half of the tetrahedra at a vertex have it under another number",
-       half_star},
-      {"crack-through-mesh",
-       defective,
-       {"cracks", "points", "whole"},
-       found,
-       points,
-       "the mesh is in two parts that only coincide",
-       [](Site& s) { return along_plane(s); }},
-      {"soup",
-       defective,
-       {"cracks", "points", "whole"},
-       found,
-       points,
-       "every tetrahedron has points of its own",
-       soup},
-      {"crack-opened-by-one-unit",
-       {},
-       {"cracks", "rounding", "whole"},
-       {"boundary-self-intersection", "overlap", "near-contact"},
-       {"inverted", "flat", "hanging-node", "crossed-diagonal"},
-       "the mesh in two parts, one moved away by one unit in the last place",
-       opened},
-      {"crack-opened-at-vertex",
-       {},
-       {"cracks", "points", "whole"},
-       {"crack", "boundary-self-intersection", "overlap", "inverted", "flat", "cavity",
-        "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
-       points,
-       "the mesh in two parts that coincide but in one vertex",
-       opened_at_one_vertex},
+      {.id = "duplicate-point-used",
+       .expected = defective,
+       .flags = {"cracks", "points"},
+       .needed = found,
+       .also = points,
+       .comment = "one tetrahedron uses a second point with the coordinates of a vertex",
+       .mutate = [](Site& s) { return at_vertex(s, 3); }},
+      {.id = "crack-along-face",
+       .expected = defective,
+       .flags = {"cracks", "points", "boundary"},
+       .needed = found,
+       .also = points,
+       .comment =
+           "one face has a different point on each side at one of its vertices, with the same coordinates",
+       .mutate = [](Site& s) { return at_vertex(s, 1); }},
+      {.id = "crack-around-tet",
+       .expected = defective,
+       .flags = {"cracks", "points"},
+       .needed = found,
+       .also = points,
+       .comment = "a tetrahedron has its own copies of its four points",
+       .mutate = around_tet},
+      {.id = "crack-through-vertex",
+       .expected = defective,
+       .flags = {"cracks", "points"},
+       .needed = found,
+       .also = points,
+       .comment = "half of the tetrahedra at a vertex use a second point with the same coordinates",
+       .mutate = half_star},
+      {.id = "crack-through-mesh",
+       .expected = defective,
+       .flags = {"cracks", "points", "whole"},
+       .needed = found,
+       .also = points,
+       .comment = "the mesh is cut in two parts that coincide along the cut but share no points there",
+       .mutate = [](Site& s) { return along_plane(s); }},
+      {.id = "soup",
+       .expected = defective,
+       .flags = {"cracks", "points", "whole"},
+       .needed = found,
+       .also = points,
+       .comment = "every tetrahedron has its own points",
+       .mutate = soup},
+      {.id = "crack-opened-by-one-unit",
+       .flags = {"cracks", "rounding", "whole"},
+       .needed = {"boundary-self-intersection", "overlap", "near-contact"},
+       .also = {"inverted", "flat", "hanging-node", "crossed-diagonal"},
+       .comment = "the mesh is cut in two parts, and the cut is opened by one unit in the last place",
+       .mutate = opened},
+      {.id = "crack-opened-at-vertex",
+       .flags = {"cracks", "points", "whole"},
+       .needed = {"crack", "boundary-self-intersection", "overlap", "inverted", "flat", "cavity",
+                  "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
+       .also = points,
+       .comment = "the mesh is cut in two parts that coincide along the cut except at one vertex",
+       .mutate = opened_at_one_vertex},
   };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of kinds.
+// The table of all kinds, and the kinds that plant two defects at once.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,34 +13,38 @@ namespace {
 std::vector<PlantKind> two_at_once() {
   constexpr auto defective = Expected::defective;
   const auto both = [](const char* id, const char* first, const char* second, const char* comment) {
-    return PlantKind{id, defective, {"two"}, {}, {}, comment, nullptr, first, second};
+    return PlantKind{.id = id,
+                     .expected = defective,
+                     .flags = {"two"},
+                     .comment = comment,
+                     .first = first,
+                     .second = second};
   };
-  return {both("inverted-and-hanging", "inverted-inside", "hanging-on-edge",
-               "two independent defects: an inverted tetrahedron, a hanging node"),
-          both("inverted-and-inside", "inverted-inside", "inside-another",
-               "two independent defects: an inverted tetrahedron, one inside another"),
-          both("nan-and-crack", "nan-inside", "crack-around-tet",
-               "two independent defects: a coordinate that is not a number, a crack"),
-          both("duplicate-and-thrice", "duplicate-tet", "face-shared-thrice",
-               "two independent defects: a duplicate, a face of three tetrahedra"),
-          both("crossed-and-overlap", "crossed-diagonals", "overlap-1e-12",
-               "two independent defects: crossed diagonals, an overlap by 1e-12"),
-          both("missing-and-touching", "missing-inside", "touching-edge",
-               "a missing tetrahedron, and far from it a boundary that touches itself"),
-          both("index-and-flat", "index-too-high", "flat",
-               "two independent defects: a number that no point has, a flat tetrahedron"),
-          both("crack-and-inside-at-vertex", "crack-around-tet", "inside-another-at-vertex",
-               "two independent defects: a crack, a tetrahedron inside another at a vertex of it"),
-          both("hanging-and-hanging", "hanging-off-edge", "hanging-off-face",
-               "two nodes that hang far from each other, both rounded off"),
-          {"any-two-apart", {}, {"two", "campaign"}, {}, {}, "any two kinds far from each other", nullptr},
-          {"any-two-together",
-           {},
-           {"two", "campaign"},
-           {},
-           {},
-           "any two kinds in one place or near it",
-           nullptr}};
+  return {
+      both("inverted-and-hanging", "inverted-inside", "hanging-on-edge",
+           "two independent defects: an inverted tetrahedron and a hanging node"),
+      both("inverted-and-inside", "inverted-inside", "inside-another",
+           "two independent defects: an inverted tetrahedron, and a tetrahedron inside another"),
+      both("nan-and-crack", "nan-inside", "crack-around-tet",
+           "two independent defects: a NaN coordinate and a crack"),
+      both("duplicate-and-thrice", "duplicate-tet", "face-shared-thrice",
+           "two independent defects: a duplicate tetrahedron, and a face shared by three"),
+      both("crossed-and-overlap", "crossed-diagonals", "overlap-1e-12",
+           "two independent defects: crossed diagonals, and an overlap by 1e-12 of the diagonal"),
+      both("missing-and-touching", "missing-inside", "touching-edge",
+           "a missing tetrahedron, and far from it a boundary that touches itself"),
+      both("index-and-flat", "index-too-high", "flat",
+           "two independent defects: a vertex number that no point has, and a flat tetrahedron"),
+      both("crack-and-inside-at-vertex", "crack-around-tet", "inside-another-at-vertex",
+           "two independent defects: a crack, and a tetrahedron inside another that shares a vertex with it"),
+      both("hanging-and-hanging", "hanging-off-edge", "hanging-off-face",
+           "two hanging nodes far from each other, both off their edge or face by rounding"),
+      {.id = "any-two-apart",
+       .flags = {"two", "campaign"},
+       .comment = "two random kinds, planted far from each other"},
+      {.id = "any-two-together",
+       .flags = {"two", "campaign"},
+       .comment = "two random kinds, planted in the same place or near each other"}};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: duplicates, and tetrahedra that are wound the other way.
+// The kinds of duplicate tetrahedra and of inverted tetrahedra.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-// Copies of a tetrahedron, their corners in these orders.
+// Adds copies of a random tetrahedron, with their corners in these orders.
 bool duplicate(Site& s, const std::vector<std::array<int, 4>>& orders) {
   const Index t = s.some_tet();
   if (t < 0) return false;
@@ -56,7 +56,7 @@ bool mirrored(Site& s) {
   return true;
 }
 
-// A flat tetrahedron on two boundary faces in one plane.
+// Adds a flat tetrahedron on two boundary faces that share an edge and lie in one plane.
 bool flat_cover(Site& s) {
   Index t = -1;
   int corner = 0;
@@ -85,91 +85,84 @@ bool flat_cover(Site& s) {
 std::vector<PlantKind> orientation_kinds() {
   constexpr auto defective = Expected::defective;
   return {
-      {"duplicate-tet",
-       defective,
-       {"duplicates"},
-       {"duplicate-tet"},
-       {},
-       "a tetrahedron twice",
-       [](Site& s) {
-         return duplicate(s, {{0, 1, 2, 3}});
-       }},
-      {"duplicate-tet-turned",
-       defective,
-       {"duplicates"},
-       {"duplicate-tet"},
-       {},
-       "a tetrahedron twice, its corners in another order of the same orientation",
-       [](Site& s) {
-         return duplicate(s, {{1, 2, 0, 3}});
-       }},
-      {"duplicate-tet-mirrored",
-       defective,
-       {"duplicates", "orientation"},
-       {"duplicate-tet"},
-       {},
-       "a tetrahedron twice, once positive and once negative",
-       [](Site& s) {
-         return duplicate(s, {{1, 0, 2, 3}});
-       }},
-      {"tet-three-times",
-       defective,
-       {"duplicates"},
-       {"duplicate-tet"},
-       {},
-       "a tetrahedron three times",
-       [](Site& s) {
-         return duplicate(s, {{0, 1, 2, 3}, {3, 2, 1, 0}});
-       }},
-      {"inverted-inside",
-       defective,
-       {"orientation"},
-       {"inverted"},
-       {},
-       "a tetrahedron with four neighbours wound the other way",
-       [](Site& s) { return invert(s, true); }},
-      {"inverted-at-boundary",
-       defective,
-       {"orientation"},
-       {"inverted"},
-       {},
-       "a tetrahedron with a boundary face wound the other way",
-       [](Site& s) { return invert(s, false); }},
-      {"inverted-around-vertex",
-       defective,
-       {"orientation"},
-       {"inverted"},
-       {},
-       "all tetrahedra at a vertex wound the other way",
-       invert_ball},
-      {"inverted-half",
-       defective,
-       {"orientation", "whole"},
-       {"inverted"},
-       {},
-       "half of the mesh wound the other way",
-       [](Site& s) { return invert_side(s, 0.5); }},
-      {"inverted-all",
-       defective,
-       {"orientation", "whole"},
-       {"inverted"},
-       {},
-       "every tetrahedron wound the other way",
-       [](Site& s) { return invert_side(s, 1); }},
-      {"mirrored",
-       defective,
-       {"orientation", "whole"},
-       {"inverted"},
-       {},
-       "the sign of one coordinate turned around",
-       mirrored},
-      {"flat-cover",
-       defective,
-       {"orientation", "boundary"},
-       {"flat"},
-       {},
-       "a flat tetrahedron on two boundary faces that lie in one plane",
-       flat_cover},
+      {.id = "duplicate-tet",
+       .expected = defective,
+       .flags = {"duplicates"},
+       .needed = {"duplicate-tet"},
+       .comment = "a tetrahedron is listed twice",
+       .mutate =
+           [](Site& s) {
+             return duplicate(s, {{0, 1, 2, 3}});
+           }},
+      {.id = "duplicate-tet-turned",
+       .expected = defective,
+       .flags = {"duplicates"},
+       .needed = {"duplicate-tet"},
+       .comment = "a tetrahedron is listed twice, the second time in another order of the same orientation",
+       .mutate =
+           [](Site& s) {
+             return duplicate(s, {{1, 2, 0, 3}});
+           }},
+      {.id = "duplicate-tet-mirrored",
+       .expected = defective,
+       .flags = {"duplicates", "orientation"},
+       .needed = {"duplicate-tet"},
+       .comment = "a tetrahedron is listed twice, once positive and once negative",
+       .mutate =
+           [](Site& s) {
+             return duplicate(s, {{1, 0, 2, 3}});
+           }},
+      {.id = "tet-three-times",
+       .expected = defective,
+       .flags = {"duplicates"},
+       .needed = {"duplicate-tet"},
+       .comment = "a tetrahedron is listed three times",
+       .mutate =
+           [](Site& s) {
+             return duplicate(s, {{0, 1, 2, 3}, {3, 2, 1, 0}});
+           }},
+      {.id = "inverted-inside",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"inverted"},
+       .comment = "a tetrahedron with four neighbours is inverted",
+       .mutate = [](Site& s) { return invert(s, true); }},
+      {.id = "inverted-at-boundary",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"inverted"},
+       .comment = "a tetrahedron with a boundary face is inverted",
+       .mutate = [](Site& s) { return invert(s, false); }},
+      {.id = "inverted-around-vertex",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"inverted"},
+       .comment = "all tetrahedra at a vertex are inverted",
+       .mutate = invert_ball},
+      {.id = "inverted-half",
+       .expected = defective,
+       .flags = {"orientation", "whole"},
+       .needed = {"inverted"},
+       .comment = "half of the tetrahedra are inverted",
+       .mutate = [](Site& s) { return invert_side(s, 0.5); }},
+      {.id = "inverted-all",
+       .expected = defective,
+       .flags = {"orientation", "whole"},
+       .needed = {"inverted"},
+       .comment = "every tetrahedron is inverted",
+       .mutate = [](Site& s) { return invert_side(s, 1); }},
+      {.id = "mirrored",
+       .expected = defective,
+       .flags = {"orientation", "whole"},
+       .needed = {"inverted"},
+       .comment = "the mesh is mirrored: one coordinate has the opposite sign at every point",
+       .mutate = mirrored},
+      {.id = "flat-cover",
+       .expected = defective,
+       .flags = {"orientation", "boundary"},
+       .needed = {"flat"},
+       .comment = "a flat tetrahedron on two boundary faces that lie in one plane",
+       .mutate = flat_cover},
   };
 }
 

@@ -64,7 +64,7 @@ std::vector<std::uint8_t> taken_by(const Site& s) {
   for (std::size_t t = 0; t < s.parts.mesh.tets.size(); ++t)
     if (s.removed[t] || s.mesh.tets[t] != s.parts.mesh.tets[t])
       for (const Index v : s.parts.mesh.tets[t]) take(v);
-  // What lies where something was added is concerned as well.
+  // The tetrahedra in the bounding box of the change count as concerned, too.
   Eigen::AlignedBox3d box;
   for (const Index t : first.tets)
     for (const Index v : first.mesh.tets[static_cast<std::size_t>(t)])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a planting changed, and what of the mesh that concerns. Internal.
+// The changes that a planting has made, and the parts of the mesh that they concern. Internal.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,23 @@
 
 namespace tetproof::corpus {
 
-/// What differs from the sound mesh; the copy's removed tetrahedra are taken out.
+/// The mutated mesh without its removed tetrahedra, and its differences from the sound mesh.
 struct Outcome {
   TetMesh mesh;
-  std::vector<Index> changed;         ///< tetrahedra that are new, name other vertices or have moved ones
-  std::vector<Index> tets, vertices;  ///< as in Planted
-  std::vector<Index> origins;         ///< of `tets`: their positions in the copy
-  bool anything = false;
+  std::vector<Index> changed;         ///< tetrahedra that are new, name other vertices or have moved vertices
+  std::vector<Index> tets, vertices;  ///< as in `Planted`
+  std::vector<Index> origins;         ///< for each of `tets`, its position in the copy
+  bool anything = false;              ///< whether there is any difference
 };
 
 Outcome outcome(const Site& s);
 
-/// All vertices of what a planting concerned, of what lies where it added something, and two rings more.
+/// The vertices that a second planting must not use if it is to be far from the first one, as a flag for each
+/// point: the vertices of the tetrahedra that the first one concerned, of those in the bounding box of its
+/// changes, and of two more rings of tetrahedra around these.
 std::vector<std::uint8_t> taken_by(const Site& s);
 
-/// Whether nothing of the one place is near the other.
+/// Whether the bounding boxes of two roots are disjoint.
 bool apart(const TetMesh& mesh, const PlantedRoot& one, const PlantedRoot& other);
 
 }  // namespace tetproof::corpus

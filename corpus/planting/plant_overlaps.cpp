@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: tetrahedra that lie in each other.
+// The kinds of overlapping tetrahedra.
 #include <algorithm>
 #include <array>
 
@@ -8,7 +8,7 @@
 namespace tetproof::corpus {
 namespace {
 
-// A tetrahedron inside another one: its first corners are the other one's, the rest lies well inside.
+// Adds a tetrahedron inside another one. They share `common` corners; the other corners lie well inside.
 bool inside(Site& s, int common, bool at_boundary) {
   Index t = -1;
   int turn = s.random.below(4);
@@ -25,7 +25,7 @@ bool inside(Site& s, int common, bool at_boundary) {
   return true;
 }
 
-// A tetrahedron of the mesh's own size across others.
+// Adds a tetrahedron of about the size of the others, which cuts through them.
 bool across(Site& s, int common) {
   const Index t = s.some_tet();
   if (t < 0) return false;
@@ -39,7 +39,8 @@ bool across(Site& s, int common) {
   return true;
 }
 
-// The tip of a tetrahedron outside, `depth` below a boundary face. Its own size is that of the face.
+// Adds a tetrahedron outside whose tip lies `depth` below a boundary face, or above it if `depth` is
+// negative. Its size is a fraction of the face's.
 bool tip(Site& s, double depth) {
   Index t = -1;
   int corner = 0;
@@ -59,8 +60,8 @@ bool tip(Site& s, double depth) {
   return true;
 }
 
+// Adds two tetrahedra on a boundary face, the second of which reaches back into the mesh.
 bool tower(Site& s) {
-  // Two tetrahedra on a boundary face, the second of which turns back into the mesh.
   Index t = -1;
   int corner = 0;
   if (!s.some_boundary_face(t, corner)) return false;
@@ -116,115 +117,113 @@ std::vector<PlantKind> overlap_kinds() {
   const std::vector<const char*> either{"overlap", "boundary-self-intersection"},
       pinches{"boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"};
   return {
-      {"inside-another",
-       defective,
-       {"overlap"},
-       {"overlap"},
-       {},
-       "a small tetrahedron inside a large one, sharing nothing with it",
-       [](Site& s) { return inside(s, 0, false); }},
-      {"inside-another-at-vertex",
-       defective,
-       {"overlap"},
-       {"overlap"},
-       pinches,
-       "a small tetrahedron inside a large one, sharing a vertex with it",
-       [](Site& s) { return inside(s, 1, false); }},
-      {"inside-another-at-edge",
-       defective,
-       {"overlap"},
-       {"overlap"},
-       pinches,
-       "a small tetrahedron inside a large one, sharing an edge with it",
-       [](Site& s) { return inside(s, 2, false); }},
-      {"face-shared-thrice",
-       defective,
-       {"overlap", "faces"},
-       {"face-shared-thrice"},
-       {},
-       "a third tetrahedron on a face of two, inside one of them",
-       [](Site& s) { return inside(s, 3, false); }},
-      {"two-on-one-side",
-       defective,
-       {"overlap", "faces"},
-       {"face-orientation"},
-       {},
-       "a second tetrahedron on a boundary face, inside the first, both positive",
-       [](Site& s) { return inside(s, 3, true); }},
-      {"foreign-tet",
-       defective,
-       {"overlap"},
-       either,
-       {},
-       "a tetrahedron across others, sharing nothing with them",
-       [](Site& s) { return across(s, 0); }},
-      {"foreign-tet-at-vertex",
-       defective,
-       {"overlap"},
-       either,
-       pinches,
-       "a tetrahedron across others, sharing a vertex with them",
-       [](Site& s) { return across(s, 1); }},
-      {"foreign-tet-at-edge",
-       defective,
-       {"overlap"},
-       either,
-       pinches,
-       "a tetrahedron across others, sharing an edge with them",
-       [](Site& s) { return across(s, 2); }},
-      {"foreign-tet-on-face",
-       defective,
-       {"overlap", "faces"},
-       {"face-shared-thrice", "face-orientation", "overlap", "boundary-self-intersection"},
-       {"duplicate-tet"},
-       "a tetrahedron across others on one of their faces",
-       [](Site& s) { return across(s, 3); }},
-      {"overlap-1e-12",
-       defective,
-       {"overlap", "rounding"},
-       {"boundary-self-intersection"},
-       {"overlap"},
-       "a tetrahedron outside, its tip in a boundary face by at most 1e-12 of the diagonal",
-       [](Site& s) {
-         return tip(s, std::max(s.random.between(0.1, 1) * 1e-12 * s.parts.diagonal, s.unit()));
-       }},
-      {"near-contact",
-       debatable,
-       {"boundary", "rounding"},
-       {"near-contact"},
-       {},
-       "a tetrahedron outside, its tip less than 1e-12 of the diagonal above a boundary face",
-       [](Site& s) {
-         return tip(s, -std::max(s.random.between(0.1, 0.8) * 1e-12 * s.parts.diagonal, s.unit()));
-       }},
-      {"tower-into-mesh",
-       defective,
-       {"overlap"},
-       either,
-       pinches,
-       "two tetrahedra on a boundary face, matching, of which the second reaches back into the mesh",
-       tower},
-      {"filled-twice",
-       defective,
-       {"overlap"},
-       either,
-       {"duplicate-point"},
-       "a tetrahedron twice, the second time with points of its own",
-       [](Site& s) { return filled_twice(s, 1); }},
-      {"filled-twice-finer",
-       defective,
-       {"overlap"},
-       either,
-       {"duplicate-point"},
-       "a tetrahedron, and in the same place four others with points of their own",
-       [](Site& s) { return filled_twice(s, 4); }},
-      {"in-a-cavity",
-       debatable,
-       {"missing"},
-       {"cavity", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
-       {"boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
-       "a small tetrahedron in the cavity that a missing one left: valid",
-       in_a_cavity},
+      {.id = "inside-another",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = {"overlap"},
+       .comment = "a small tetrahedron inside a large one, sharing nothing with it",
+       .mutate = [](Site& s) { return inside(s, 0, false); }},
+      {.id = "inside-another-at-vertex",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = {"overlap"},
+       .also = pinches,
+       .comment = "a small tetrahedron inside a large one, sharing a vertex with it",
+       .mutate = [](Site& s) { return inside(s, 1, false); }},
+      {.id = "inside-another-at-edge",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = {"overlap"},
+       .also = pinches,
+       .comment = "a small tetrahedron inside a large one, sharing an edge with it",
+       .mutate = [](Site& s) { return inside(s, 2, false); }},
+      {.id = "face-shared-thrice",
+       .expected = defective,
+       .flags = {"overlap", "faces"},
+       .needed = {"face-shared-thrice"},
+       .comment = "a third tetrahedron shares a face with two others and lies inside one of them",
+       .mutate = [](Site& s) { return inside(s, 3, false); }},
+      {.id = "two-on-one-side",
+       .expected = defective,
+       .flags = {"overlap", "faces"},
+       .needed = {"face-orientation"},
+       .comment = "a second positive tetrahedron on a boundary face lies inside the first",
+       .mutate = [](Site& s) { return inside(s, 3, true); }},
+      {.id = "foreign-tet",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .comment = "a tetrahedron cuts through others and shares nothing with them",
+       .mutate = [](Site& s) { return across(s, 0); }},
+      {.id = "foreign-tet-at-vertex",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .also = pinches,
+       .comment = "a tetrahedron cuts through others and shares a vertex with them",
+       .mutate = [](Site& s) { return across(s, 1); }},
+      {.id = "foreign-tet-at-edge",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .also = pinches,
+       .comment = "a tetrahedron cuts through others and shares an edge with them",
+       .mutate = [](Site& s) { return across(s, 2); }},
+      {.id = "foreign-tet-on-face",
+       .expected = defective,
+       .flags = {"overlap", "faces"},
+       .needed = {"face-shared-thrice", "face-orientation", "overlap", "boundary-self-intersection"},
+       .also = {"duplicate-tet"},
+       .comment = "a tetrahedron cuts through others and shares a face with one of them",
+       .mutate = [](Site& s) { return across(s, 3); }},
+      {.id = "overlap-1e-12",
+       .expected = defective,
+       .flags = {"overlap", "rounding"},
+       .needed = {"boundary-self-intersection"},
+       .also = {"overlap"},
+       .comment = "a tetrahedron outside, whose tip pierces a boundary face by at most 1e-12 of the diagonal",
+       .mutate =
+           [](Site& s) {
+             return tip(s, std::max(s.random.between(0.1, 1) * 1e-12 * s.parts.diagonal, s.unit()));
+           }},
+      {.id = "near-contact",
+       .expected = debatable,
+       .flags = {"boundary", "rounding"},
+       .needed = {"near-contact"},
+       .comment = "a tetrahedron outside, whose tip is less than 1e-12 of the diagonal above a boundary face",
+       .mutate =
+           [](Site& s) {
+             return tip(s, -std::max(s.random.between(0.1, 0.8) * 1e-12 * s.parts.diagonal, s.unit()));
+           }},
+      {.id = "tower-into-mesh",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .also = pinches,
+       .comment =
+           "two conforming tetrahedra on a boundary face, the second of which reaches back into the mesh",
+       .mutate = tower},
+      {.id = "filled-twice",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .also = {"duplicate-point"},
+       .comment = "a tetrahedron is listed twice, the second time with its own copies of the points",
+       .mutate = [](Site& s) { return filled_twice(s, 1); }},
+      {.id = "filled-twice-finer",
+       .expected = defective,
+       .flags = {"overlap"},
+       .needed = either,
+       .also = {"duplicate-point"},
+       .comment = "a tetrahedron, and in the same place four smaller ones with their own points",
+       .mutate = [](Site& s) { return filled_twice(s, 4); }},
+      {.id = "in-a-cavity",
+       .expected = debatable,
+       .flags = {"missing"},
+       .needed = {"cavity", "boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
+       .also = {"boundary-nonmanifold-edge", "boundary-nonmanifold-vertex"},
+       .comment = "a small tetrahedron in the cavity that a missing one left: valid",
+       .mutate = in_a_cavity},
   };
 }
 

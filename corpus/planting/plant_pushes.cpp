@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: vertices pushed through faces, or into their planes.
+// The kinds in which a vertex is pushed through an opposite face, or into its plane.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-// A vertex and the face opposite to it in one of its tetrahedra.
+// A vertex, and the face opposite to it in one of its tetrahedra.
 struct Push {
   Index vertex = -1;
   Face face{};
@@ -67,68 +67,74 @@ bool rewound(Site& s) {
 std::vector<PlantKind> push_kinds() {
   constexpr auto defective = Expected::defective;
   return {
-      {"pushed-through",
-       defective,
-       {"orientation"},
-       {"inverted"},
-       {"flat"},
-       "an inner vertex far beyond the opposite face of one of its tetrahedra",
-       [](Site& s) { return push_through(s, true, 0.1, 2); }},
-      {"pushed-through-from-boundary",
-       defective,
-       {"orientation", "boundary"},
-       {"inverted"},
-       {"flat"},
-       "a boundary vertex pushed through a face opposite to it",
-       [](Site& s) { return push_through(s, false, 0.05, 0.6); }},
-      {"pushed-through-by-one-unit",
-       defective,
-       {"orientation", "rounding"},
-       {"inverted"},
-       {"flat"},
-       "an inner vertex beyond a face opposite to it by one unit in the last place",
-       [](Site& s) { return push_one_unit(s, true); }},
-      {"pushed-through-by-one-unit-from-boundary",
-       defective,
-       {"orientation", "rounding", "boundary"},
-       {"inverted"},
-       {"flat"},
-       "a boundary vertex beyond a face opposite to it by one unit in the last place",
-       [](Site& s) { return push_one_unit(s, false); }},
-      {"flat",
-       defective,
-       {"orientation"},
-       {"flat"},
-       {"inverted"},
-       "an inner vertex exactly in the plane of a face opposite to it",
-       [](Site& s) {
-         return push_into(s, {0.5, 0.25, 0.25});
-       }},
-      {"flat-on-edge",
-       defective,
-       {"orientation"},
-       {"flat"},
-       {"inverted"},
-       "an inner vertex on an edge opposite to it: three vertices in a line",
-       [](Site& s) {
-         return push_into(s, {0.5, 0.5, 0});
-       }},
-      {"flat-on-vertex",
-       defective,
-       {"orientation", "points"},
-       {"flat"},
-       {"inverted", "duplicate-point"},
-       "an inner vertex in the place of another vertex of its tetrahedron",
-       [](Site& s) {
-         return push_into(s, {1, 0, 0});
-       }},
-      {"fold-over-rewound",
-       defective,
-       {"orientation", "overlap"},
-       {"face-orientation", "overlap", "boundary-self-intersection"},
-       {"face-orientation", "overlap", "boundary-self-intersection"},
-       "an inner vertex pushed through a face, and what turned over re-wound positive",
-       rewound},
+      {.id = "pushed-through",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"inverted"},
+       .also = {"flat"},
+       .comment = "an inner vertex is pushed far through the opposite face of one of its tetrahedra",
+       .mutate = [](Site& s) { return push_through(s, true, 0.1, 2); }},
+      {.id = "pushed-through-from-boundary",
+       .expected = defective,
+       .flags = {"orientation", "boundary"},
+       .needed = {"inverted"},
+       .also = {"flat"},
+       .comment = "a boundary vertex is pushed through the opposite face of one of its tetrahedra",
+       .mutate = [](Site& s) { return push_through(s, false, 0.05, 0.6); }},
+      {.id = "pushed-through-by-one-unit",
+       .expected = defective,
+       .flags = {"orientation", "rounding"},
+       .needed = {"inverted"},
+       .also = {"flat"},
+       .comment =
+           "an inner vertex is one unit in the last place beyond the opposite face of one of its tetrahedra",
+       .mutate = [](Site& s) { return push_one_unit(s, true); }},
+      {.id = "pushed-through-by-one-unit-from-boundary",
+       .expected = defective,
+       .flags = {"orientation", "rounding", "boundary"},
+       .needed = {"inverted"},
+       .also = {"flat"},
+       .comment = "a boundary vertex is one unit in the last place beyond the opposite face of one of its "
+                  "tetrahedra",
+       .mutate = [](Site& s) { return push_one_unit(s, false); }},
+      {.id = "flat",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"flat"},
+       .also = {"inverted"},
+       .comment = "an inner vertex lies exactly in the plane of the opposite face of one of its tetrahedra",
+       .mutate =
+           [](Site& s) {
+             return push_into(s, {0.5, 0.25, 0.25});
+           }},
+      {.id = "flat-on-edge",
+       .expected = defective,
+       .flags = {"orientation"},
+       .needed = {"flat"},
+       .also = {"inverted"},
+       .comment = "an inner vertex lies on an opposite edge: three vertices of a tetrahedron are collinear",
+       .mutate =
+           [](Site& s) {
+             return push_into(s, {0.5, 0.5, 0});
+           }},
+      {.id = "flat-on-vertex",
+       .expected = defective,
+       .flags = {"orientation", "points"},
+       .needed = {"flat"},
+       .also = {"inverted", "duplicate-point"},
+       .comment = "an inner vertex has the coordinates of another vertex of its tetrahedron",
+       .mutate =
+           [](Site& s) {
+             return push_into(s, {1, 0, 0});
+           }},
+      {.id = "fold-over-rewound",
+       .expected = defective,
+       .flags = {"orientation", "overlap"},
+       .needed = {"face-orientation", "overlap", "boundary-self-intersection"},
+       .also = {"face-orientation", "overlap", "boundary-self-intersection"},
+       .comment = "an inner vertex is pushed through a face, and the inverted tetrahedra are re-wound to be "
+                  "positive",
+       .mutate = rewound},
   };
 }
 

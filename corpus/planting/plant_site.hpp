@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a defect is planted: a sound mesh's parts, and the copy that is changed. Internal.
+// The tools of the kinds: the adjacency of the sound mesh, and the copy in which a defect is planted.
+// Internal.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,24 +18,24 @@ namespace tetproof::corpus {
 using Point = Eigen::Vector3d;
 using Tet = std::array<Index, 4>;
 
-/// How a sound mesh hangs together.
+/// A sound mesh with its adjacency.
 struct Parts {
   explicit Parts(TetMesh mesh);
   TetMesh mesh;
   std::vector<Tet> neighbours;                 ///< across the face opposite to each corner; -1: boundary
-  std::vector<std::vector<Index>> tets_at;     ///< of each vertex
-  std::vector<std::uint8_t> on_boundary;       ///< of each vertex
-  std::vector<std::array<Index, 2>> boundary;  ///< faces: tetrahedron, corner opposite
-  std::vector<const char*> warned;  ///< checks that find something to warn of before anything is planted
-  Point low, high;
-  double diagonal = 0;
+  std::vector<std::vector<Index>> tets_at;     ///< for each vertex, the tetrahedra that have it
+  std::vector<std::uint8_t> on_boundary;       ///< for each vertex
+  std::vector<std::array<Index, 2>> boundary;  ///< the boundary faces: tetrahedron, opposite corner
+  std::vector<const char*> warned;             ///< the checks that warn before anything is planted
+  Point low, high;                             ///< the bounding box
+  double diagonal = 0;                         ///< of the bounding box [length]
 };
 
-/// A face seen from outside its tetrahedron.
+/// The vertices of a face, anticlockwise as seen from outside its tetrahedron.
 using Face = std::array<Index, 3>;
 
-/// One planting. The copy keeps the positions of the sound mesh's points and tetrahedra: new ones stand
-/// behind, and what is removed is only marked.
+/// One planting: a copy of the sound mesh that is changed. Points and tetrahedra of the sound mesh keep their
+/// positions in the copy. New ones are added behind them, and removed tetrahedra are only marked.
 struct Site {
   Site(const Parts& given, Random& numbers, const std::vector<std::uint8_t>& not_free)
       : parts(given),
@@ -45,12 +46,12 @@ struct Site {
 
   const Parts& parts;
   Random& random;
-  const std::vector<std::uint8_t>& taken;  ///< vertices that are not to be used
-  TetMesh mesh;
-  std::vector<std::uint8_t> removed;
-  std::vector<Index> vertices;  ///< concerned, besides those that the copy shows to be new or moved
+  const std::vector<std::uint8_t>& taken;  ///< for each vertex, whether it must not be used
+  TetMesh mesh;                            ///< the copy
+  std::vector<std::uint8_t> removed;       ///< for each tetrahedron of the copy
+  std::vector<Index> vertices;             ///< vertices that are concerned, besides new and moved ones
 
-  // Of the sound mesh:
+  // The sound mesh:
   const Point& at(Index v) const { return parts.mesh.points[static_cast<std::size_t>(v)]; }
   const Tet& tet(Index t) const { return parts.mesh.tets[static_cast<std::size_t>(t)]; }
   Index tets() const { return static_cast<Index>(parts.mesh.tets.size()); }
@@ -58,44 +59,47 @@ struct Site {
   Index neighbour(Index t, int corner) const {
     return parts.neighbours[static_cast<std::size_t>(t)][static_cast<std::size_t>(corner)];
   }
-  bool inner(Index t) const;  ///< all four faces are shared
+  bool inner(Index t) const;  ///< whether all four faces are shared
   Face face(Index t, int corner) const;
-  Point normal(const Face& face) const;  ///< twice its area, outwards
+  Point normal(const Face& face) const;  ///< outward, of length twice the area
   Point centroid(const Face& face) const;
   Point centroid(Index t) const;
-  double size(Index t) const;                         ///< its shortest edge
-  std::vector<Index> around(Index a, Index b) const;  ///< tetrahedra at an edge
-  bool free(Index t) const;
-  bool free_star(Index v) const;        ///< all tetrahedra at the vertex are
-  double unit() const;                  ///< how far apart points of the mesh's place are at least
-  Point within(Index t);                ///< a random point well inside
-  Point direction();                    ///< random, of length 1
-  double magnitude(int low, int high);  ///< random, from 2^low to 2^high, every power as likely
+  double size(Index t) const;                         ///< the length of its shortest edge
+  std::vector<Index> around(Index a, Index b) const;  ///< the tetrahedra at an edge
+  bool free(Index t) const;                           ///< whether none of its vertices is taken
+  bool free_star(Index v) const;  ///< whether the vertex has tetrahedra, and all of them are free
+  double unit() const;            ///< one unit in the last place of the largest coordinate [length]
+  Point within(Index t);          ///< a random point well inside a tetrahedron
+  Point direction();              ///< a random unit vector
+  /// A random number from 2^low to 2^high; every power of two is equally likely.
+  double magnitude(int low, int high);
 
-  /// A random one of those that fit, among free tetrahedra, or vertices with free stars; -1: none.
+  /// A random free tetrahedron, or vertex with a free star, for which `fits` is true; -1 if there is none.
   Index some_tet(const std::function<bool(Index)>& fits = {});
   Index some_vertex(const std::function<bool(Index)>& fits = {});
-  /// A random face of one tetrahedron, which is free: tetrahedron and corner. False: none.
+  /// A random boundary face of a free tetrahedron, or a random face between two free ones: sets a tetrahedron
+  /// of the face and the opposite corner. False if there is none.
   bool some_boundary_face(Index& t, int& corner);
   bool some_inner_face(Index& t, int& corner);
 
-  // Of the copy:
+  // The copy:
   Index add(const Point& p);
-  /// With its vertices in the order that makes it positive.
+  /// Adds a tetrahedron with its vertices in the order that makes it positive.
   Index add_positive(Tet tet);
-  int sign(const Tet& tet) const;  ///< of its volume, exactly; 0 if it has none
+  int sign(const Tet& tet) const;  ///< of its volume, exact; 0 if it is flat or has an unusable vertex
   void remove(Index t);
-  /// Moves p by single steps of doubles along the steepest axis of the face until it is on its other side
-  /// (wanted 1) or in its plane (0); or to the last place before it (-1). False: not reached.
+  /// Moves p along the axis closest to the normal of the face, from one double to the next: until it is
+  /// beyond the face (wanted 1), exactly in its plane (0), or at the last double before the plane (-1). False
+  /// if this fails.
   bool step_through(const Face& face, Point& p, int wanted) const;
-  /// Replaces tetrahedra with the edge a b by two each, with the vertex `node` on it. False if one is not
-  /// positive.
+  /// Splits each of the tetrahedra, which have the edge a b, into two at the vertex `node` on this edge.
+  /// False if one of the halves is not positive.
   bool split_edge(const std::vector<Index>& tets, Index a, Index b, Index node);
-  /// Adds another copy of the mesh, with points of its own.
+  /// Adds another copy of the mesh with its own points, which `place` maps to their places.
   void add_copy(const std::function<Point(const Point&)>& place, bool wound_negative = false);
 };
 
-// The kinds by theme.
+// The kinds, by theme.
 std::vector<PlantKind> number_kinds();       // plant_numbers.cpp
 std::vector<PlantKind> orientation_kinds();  // plant_orientation.cpp
 std::vector<PlantKind> push_kinds();         // plant_pushes.cpp

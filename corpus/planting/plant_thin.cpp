@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds: what is only thin, and what is as good as before.
+// The kinds of sound meshes: very thin tetrahedra, and changes that do no harm.
 #include <algorithm>
 #include <array>
 
@@ -12,7 +12,7 @@ std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
-// A tetrahedron cut into four at a point.
+// Splits a tetrahedron into four at a point.
 bool insert(Site& s, Index t, const Point& p) {
   const Index node = s.add(p);
   for (int corner = 0; corner < 4; ++corner) {
@@ -70,47 +70,42 @@ bool flip_23(Site& s) {
 std::vector<PlantKind> thin_kinds() {
   constexpr auto sound = Expected::sound;
   return {
-      {"sliver",
-       sound,
-       {"thin"},
-       {},
-       {},
-       "a tetrahedron cut into four at a point close above one of its faces",
-       [](Site& s) {
-         return insert_at(s, {1e-7, 0.3, 0.3, 0.4 - 1e-7});
-       }},
-      {"needle",
-       sound,
-       {"thin"},
-       {},
-       {},
-       "a tetrahedron cut into four at a point close to one of its corners",
-       [](Site& s) {
-         return insert_at(s, {1 - 3e-6, 1e-6, 1e-6, 1e-6});
-       }},
-      {"one-unit-above-a-face",
-       sound,
-       {"thin", "rounding"},
-       {},
-       {},
-       "a tetrahedron cut into four at a point that is one unit in the last place above one of its faces",
-       insert_one_unit_off},
-      {"inserted-point",
-       sound,
-       {"control"},
-       {},
-       {},
-       "a tetrahedron cut into four: nothing is wrong",
-       [](Site& s) {
-         return insert_at(s, {0.25, 0.25, 0.25, 0.25});
-       }},
-      {"flipped-face",
-       sound,
-       {"control"},
-       {},
-       {},
-       "two tetrahedra replaced by three around the line between their apexes: nothing is wrong",
-       flip_23},
+      {.id = "sliver",
+       .expected = sound,
+       .flags = {"thin"},
+       .comment = "a tetrahedron is split into four at a point very close to one of its faces",
+       .mutate =
+           [](Site& s) {
+             return insert_at(s, {1e-7, 0.3, 0.3, 0.4 - 1e-7});
+           }},
+      {.id = "needle",
+       .expected = sound,
+       .flags = {"thin"},
+       .comment = "a tetrahedron is split into four at a point very close to one of its corners",
+       .mutate =
+           [](Site& s) {
+             return insert_at(s, {1 - 3e-6, 1e-6, 1e-6, 1e-6});
+           }},
+      {.id = "one-unit-above-a-face",
+       .expected = sound,
+       .flags = {"thin", "rounding"},
+       .comment =
+           "a tetrahedron is split into four at a point one unit in the last place above one of its faces",
+       .mutate = insert_one_unit_off},
+      {.id = "inserted-point",
+       .expected = sound,
+       .flags = {"control"},
+       .comment = "a tetrahedron is split into four: nothing is wrong",
+       .mutate =
+           [](Site& s) {
+             return insert_at(s, {0.25, 0.25, 0.25, 0.25});
+           }},
+      {.id = "flipped-face",
+       .expected = sound,
+       .flags = {"control"},
+       .comment =
+           "two tetrahedra are replaced by three around the line between their apexes: nothing is wrong",
+       .mutate = flip_23},
   };
 }
 

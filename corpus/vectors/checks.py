@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether the vectors themselves make sense, in rational arithmetic: rows tile their part, pieces fill their tetrahedron, clusters do
-not overlap, equations hold. Nothing here knows how the vectors were made."""
+"""Checks the vectors themselves, in rational arithmetic: rows tile the inside part, pieces fill their tetrahedron, clusters do not
+overlap, equations hold. The checks do not use the way in which the vectors were made."""
 from fractions import Fraction
 from itertools import combinations
 
@@ -34,7 +34,8 @@ def is_tet(value):
 
 
 def boundary(tets):
-    """The faces that only one tetrahedron has, as point triples, anticlockwise from outside; None if a face occurs twice alike."""
+    """The faces that only one tetrahedron has, as triples of points, anticlockwise from outside. None if a face occurs twice with the same
+    orientation."""
     faces = {}
     for tet in tets:
         for f in FACES:
@@ -54,8 +55,8 @@ def table1(case):
 
 
 def table2(case):
-    """The tetrahedra are positive, match face to face, and are bounded by the surface and by the inside part of each face of the
-    lattice tetrahedron: so they tile that part."""
+    """The tetrahedra must be positive, match face to face, and be bounded by the surface and by the inside part of each face of the
+    lattice tetrahedron. Then they tile the inside part."""
     vertices = case["input"]["vertices"]
     place = {v["number"]: exact(v["point"]) for v in vertices}
     after = {v["number"]: v["after"] for v in vertices}
@@ -64,7 +65,7 @@ def table2(case):
         yield "cuts: one for each edge between -1 and +1"
         return
     surface = set(cut.values()) | {place[v] for v in place if after[v] == 0}
-    # A centroid is rounded: only here the sums are compared with a tolerance.
+    # A centroid is rounded. Only for such cases are the sums compared with a tolerance.
     slack = Fraction(case["tolerance"]["absolute"]) * 1000
     tets = [[exact(p) for p in t] for t in case["expected"]["tetrahedra"]]
     if any(volume(*t) <= 0 for t in tets):
@@ -89,7 +90,7 @@ def table2(case):
             if after[v] * after[w] < 0:
                 polygon.append(cut[frozenset((v, w))])
         inside = sum((twice((polygon[0], p, q)) for p, q in zip(polygon[1:], polygon[2:])), Fraction(0))
-        # A face whose inside part has all its corners on the surface may belong to the surface: covered or not.
+        # If all corners of the inside part of a face are on the surface, the part may belong to the surface, and may be covered or not.
         covered = abs(sum(map(twice, here)))
         if abs(covered - abs(inside)) > slack and (covered or not set(polygon) <= surface):
             if not (all(after[v] <= 0 for v in corners) and all(set(f) <= surface for f in here)):
@@ -163,7 +164,7 @@ def near(a, b, tolerance=Fraction(1, 10**12)):
 
 
 def volume_law(case):
-    """(3.1) solved for t = (d/d1)^p, and that raised to the reciprocal of p's root, so that nothing is irrational."""
+    """Eq. (3.1) is solved for t = (d/d1)^p. With p = a/b, t^b is compared with (d/d1)^a, so that all numbers are rational."""
     g = {key: Fraction(x) for key, x in case["input"].items()}
     found, p = Fraction(case["expected"]["volume"]), Fraction(case["input"]["p"]).limit_denominator(4)
     if g["v0"] == g["v1"] or found == min(g["v0"], g["v1"]) != g["v0"]:
@@ -225,7 +226,7 @@ def curvature(case):
 
 
 def faults(kind, content):
-    """All that is wrong with a file, a line each."""
+    """Everything that is wrong with a file, one line for each fault."""
     checks = {"table1": table1, "table2": table2, "table3": table3, "table4": table4, "volume_law": volume_law, "weights": weights,
               "choice": choice, "curvature_weight": curvature_weight, "curvature": curvature}
     if kind not in checks:

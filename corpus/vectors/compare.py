@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compares an answer with what a vector expects."""
+"""Compares an answer with the expected result of a vector."""
 from fractions import Fraction
 
 import checks
@@ -10,7 +10,7 @@ class Different(Exception):
 
 
 def difference(kind, case, result, optional):
-    """What is wrong with the answer, in a few words; empty if nothing."""
+    """The first fault of the answer, in a few words; empty if there is none."""
     try:
         if not isinstance(result, dict):
             raise Different("the result is no object")
@@ -33,13 +33,13 @@ def is_number(value):
 def close(expected, found, tolerance):
     if found != found or found in (float("inf"), float("-inf")):
         return False
-    # In fractions, so that a tolerance of 0 means equal and nothing rounds on the way.
+    # Computed in fractions, without rounding, so that a tolerance of 0 means equality.
     off = abs(Fraction(found) - Fraction(expected))
     return off <= max(Fraction(tolerance.get("relative", 0)) * abs(Fraction(expected)), Fraction(tolerance.get("absolute", 0)))
 
 
 def same(expected, found, tolerance, where, _=None):
-    """Numbers within the tolerance, everything else equal; objects may hold more keys than expected."""
+    """Numbers must agree within the tolerance, everything else must be equal. Objects may have more keys than expected."""
     if is_number(expected):
         if not is_number(found):
             raise Different(f"{where}: expected a number, found {found!r:.60}")
@@ -62,7 +62,7 @@ def same(expected, found, tolerance, where, _=None):
 
 
 def ordered(expected, found, tolerance, where, _=None):
-    """Lists as sets; of edges too, whose ends may be exchanged."""
+    """Lists must be equal as sets. The elements may be edges, whose ends may be exchanged."""
     if not isinstance(found, list):
         raise Different(f"{where}: expected a list, found {found!r:.60}")
     tidy = lambda items: sorted((sorted(i) if isinstance(i, list) else i for i in items), key=repr)
@@ -84,7 +84,7 @@ def cuts(expected, found, tolerance, where, _=None):
 
 
 def counts(expected, found, tolerance, where, _=None):
-    """Numbers by name; a name that is not there counts 0."""
+    """Counts by name must be equal. A missing name counts as 0."""
     if not isinstance(found, dict):
         raise Different(f"{where}: expected an object, found {found!r:.60}")
     for name in sorted(set(expected) | set(found)):
@@ -93,7 +93,7 @@ def counts(expected, found, tolerance, where, _=None):
 
 
 def tetrahedra(expected, found, tolerance, where, _=None):
-    """The same tetrahedra as coordinates, in any order, each positive, its corners in any even order."""
+    """The tetrahedra, given by coordinates, must be the expected ones, in any order, and each must be positive."""
     if not isinstance(found, list) or not all(checks.is_tet(t) for t in found):
         raise Different(f"{where}: expected a list of tetrahedra, each of four points [x, y, z]")
     if len(found) != len(expected):
@@ -110,13 +110,13 @@ def tetrahedra(expected, found, tolerance, where, _=None):
 
 
 def oriented(tet):
-    """Sorted, and whether the order of the four is an even one."""
+    """The sorted corners, and 0 or 1 for an even or odd order of the given ones."""
     inversions = sum(tet[i] > tet[j] for i in range(4) for j in range(i + 1, 4))
     return sorted(tet), inversions % 2
 
 
 def pieces(expected, found, tolerance, where, given):
-    """Tetrahedra as numbers of points, in any order, each oriented as expected."""
+    """The tetrahedra, given by point numbers, must be the expected ones, in any order, each with the expected orientation."""
     if not isinstance(found, list) or not all(isinstance(t, list) and len(t) == 4 and all(type(v) is int for v in t) for t in found):
         raise Different(f"{where}: expected a list of tetrahedra, each of four numbers")
     if sorted(map(oriented, expected)) != sorted(map(oriented, found)):

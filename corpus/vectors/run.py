@@ -3,12 +3,13 @@
 """Runs the conformance vectors against an implementation of the paper's tables and equations.
 
 usage: run.py                            checks the files themselves, in rational arithmetic
-       run.py [OPTION...] -- COMMAND...  sends every case to COMMAND, compares its answers
-       run.py [OPTION...] --list         the cases and their flags
+       run.py [OPTION...] -- COMMAND...  sends every case to COMMAND and compares its answers
+       run.py [OPTION...] --list         lists the cases and their flags
 
-COMMAND reads from its standard input one JSON object a line, {"id": ..., "kind": ..., "input": ...}, and writes one a line,
-{"id": ..., "result": ...}, in any order; {"id": ..., "skipped": "why"} where it has nothing to answer with. README.md says what
-each kind asks for. Exit code: 0 all answers are right, 1 some are not, 2 usage or files that cannot be read."""
+COMMAND reads JSON objects from its standard input, one a line: {"id": ..., "kind": ..., "input": ...}. It writes answers to its
+standard output, one a line, in any order: {"id": ..., "result": ...}, or {"id": ..., "skipped": "why"} for a case that it cannot
+answer. README.md describes the input and the result of each kind. Exit code: 0 all answers are right, 1 some are wrong, 2 bad usage
+or files that cannot be read."""
 import argparse
 import json
 import pathlib
@@ -23,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 class Unusable(Exception):
-    """What makes the run impossible: one line for the user."""
+    """Bad usage or bad files: one line for the user."""
 
 
 def read_files(folder, kinds):
@@ -46,7 +47,7 @@ def read_files(folder, kinds):
 
 
 def select(files, arguments):
-    """(kind, file, case) of the cases asked for."""
+    """The selected cases, as (kind, content of the file, case)."""
     known = {flag for content in files.values() for flag in content["flags"]}
     for flag in (arguments.flag or []) + (arguments.skip_flag or []):
         if flag not in known:
@@ -61,7 +62,7 @@ def select(files, arguments):
 
 
 def ask(command, cases, timeout):
-    """The answers by id, and what went wrong on the way."""
+    """Runs the command on the cases. Returns the answers by id, and a list of what went wrong."""
     lines = "".join(json.dumps({"id": case["id"], "kind": kind, "input": case["input"]}) + "\n" for kind, _, case in cases)
     troubles = []
     try:
@@ -145,14 +146,14 @@ def main(words):
         command = words[words.index("--") + 1:]
         words = words[:words.index("--")]
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter, usage=argparse.SUPPRESS)
-    parser.add_argument("--kind", action="append", help="only this kind (a file's name without .json); may be repeated")
-    parser.add_argument("--id", action="append", help="only this case; may be repeated")
-    parser.add_argument("--flag", action="append", help="only cases with this flag; may be repeated")
-    parser.add_argument("--skip-flag", action="append", help="no cases with this flag; may be repeated")
-    parser.add_argument("--show", type=int, default=10, help="failures shown in full; 10")
-    parser.add_argument("--timeout", type=float, default=600, help="seconds that COMMAND may take; 600")
+    parser.add_argument("--kind", action="append", help="run only this kind (the name of a file without .json); can be repeated")
+    parser.add_argument("--id", action="append", help="run only this case; can be repeated")
+    parser.add_argument("--flag", action="append", help="run only cases with this flag; can be repeated")
+    parser.add_argument("--skip-flag", action="append", help="run no cases with this flag; can be repeated")
+    parser.add_argument("--show", type=int, default=10, help="the number of failures to show in full (10)")
+    parser.add_argument("--timeout", type=float, default=600, help="the seconds that COMMAND may take (600)")
     parser.add_argument("--list", action="store_true", help="print the cases and run nothing")
-    parser.add_argument("--folder", default=HERE, help="where the vectors are; beside this script")
+    parser.add_argument("--folder", default=HERE, help="the folder of the vectors (that of this script)")
     arguments = parser.parse_args(words)
     files = read_files(arguments.folder, arguments.kind)
     if command is None and not arguments.list:

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the traces of corpus/vectors/traces anew, from its list. Usage: corpus/vectors/traces.sh BUILD [DIRECTORY]
+# Makes the traces of corpus/vectors/traces again, from traces/list.txt. usage: corpus/vectors/traces.sh BUILD_FOLDER [OUTPUT_FOLDER]
 set -eu
 here=$(dirname "$0")/traces
 build=${1:?expected the build directory that holds tetproof-mesh}

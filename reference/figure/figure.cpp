@@ -19,18 +19,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Coordinates are whole numbers of this many to a pixel: short in the file, and fine enough to magnify.
+// Coordinates in the file are whole numbers, in units of 1/fineness pixel: short, and fine enough to magnify.
 constexpr int fineness = 5;
 constexpr int drawing = 760;  // pixels along the longer side of the cut
 constexpr int margin = 20, header = 46, footer = 34, legend = 165;
 
 using Pixel = std::array<int, 2>;
 
-// Classes of a measured value: class i holds what lies below bounds[i], the last one the rest.
+// Classes of a measured value. Class i holds the values below bounds[i] that are in no lower class; the last
+// class holds the rest.
 struct Classes {
   std::string heading;
   std::vector<double> bounds;
-  std::vector<std::string> labels;  // of the bounds
+  std::vector<std::string> labels;  // one for each bound
 
   std::size_t of(double value) const {
     return static_cast<std::size_t>(std::upper_bound(bounds.begin(), bounds.end(), value) - bounds.begin());
@@ -53,10 +54,11 @@ double area(const CutPolygon& polygon) {
   return polygon.corners == 3 ? triangle : triangle + (c - a).cross(d - a).norm() / 2;
 }
 
-// Powers of two, so that a hundredth of the picture's area is below the lowest of them and a hundredth above
-// the highest.
+// The bounds are powers of two. About one hundredth of the picture's area is below the lowest of them, and
+// one hundredth above the highest.
 Classes volume_classes(const std::vector<double>& relative, const std::vector<CutPolygon>& polygons) {
-  std::vector<std::pair<double, double>> weighted;  // by area: the many slivers are not what is seen
+  // Weighted by area, because many slivers take up little of the picture.
+  std::vector<std::pair<double, double>> weighted;
   double all = 0;
   for (std::size_t i = 0; i < relative.size(); ++i) {
     weighted.emplace_back(relative[i], area(polygons[i]));
@@ -82,14 +84,16 @@ Classes volume_classes(const std::vector<double>& relative, const std::vector<Cu
   return classes;
 }
 
-// From the default of --improve-below to the regular tetrahedron's 0.0439.
+// The bounds cover the range from around the default of --improve-below up to the regular tetrahedron,
+// 0.0439.
 Classes quality_classes() {
   return {"smallest solid angle / 4\u03c0",
           {0.0005, 0.002, 0.005, 0.01, 0.015, 0.02, 0.03},
           {"0.0005", "0.002", "0.005", "0.01", "0.015", "0.02", "0.03"}};
 }
 
-// Viridis, whose lightness grows evenly; without its darkest part, on which edges would not show.
+// The colour map viridis, whose lightness grows evenly. Its darkest part, on which edges would be invisible,
+// is left out.
 std::string colour(std::size_t i, std::size_t count) {
   constexpr int anchors[][3] = {{0x41, 0x44, 0x87}, {0x35, 0x5f, 0x8d}, {0x2a, 0x78, 0x8e},
                                 {0x21, 0x91, 0x8c}, {0x22, 0xa8, 0x84}, {0x44, 0xbf, 0x70},
@@ -104,7 +108,7 @@ std::string colour(std::size_t i, std::size_t count) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
-// For XML; what is not ASCII may not be text at all.
+// Text for XML. Bytes outside printable ASCII become '?', because they may not be valid UTF-8.
 std::string escaped(const std::string& text) {
   std::string all;
   for (const char c : text)
@@ -116,7 +120,7 @@ std::string escaped(const std::string& text) {
   return all;
 }
 
-// A path's data: closed polygons or open lines, in steps from point to point.
+// The data of an SVG path: closed polygons or open lines, in relative coordinates.
 class PathData {
  public:
   void add(const std::vector<Pixel>& points, bool closed) {
@@ -138,7 +142,7 @@ class PathData {
   Pixel at_{0, 0};
 };
 
-// Segments put end to end as far as they go.
+// Joins segments that share an end into lines that are as long as possible.
 PathData chained(const std::vector<std::array<Pixel, 2>>& segments) {
   std::map<Pixel, std::vector<std::size_t>> at;
   for (std::size_t i = 0; i < segments.size(); ++i)
@@ -165,7 +169,7 @@ PathData chained(const std::vector<std::array<Pixel, 2>>& segments) {
   return data;
 }
 
-// From the plane to the picture.
+// Maps points of the plane to the picture.
 class View {
  public:
   View(const PlaneCut& cut, const Plane& plane) : axes_(picture_axes(plane)) {
@@ -186,7 +190,7 @@ class View {
     return {static_cast<int>(std::lround((axes_[0].dot(point) - left_) * scale_)),
             static_cast<int>(std::lround((top_ - axes_[1].dot(point)) * scale_))};
   }
-  Pixel size() const { return size_; }  // in fine units
+  Pixel size() const { return size_; }  // in units of 1/fineness pixel
 
  private:
   std::array<Vector3d, 2> axes_;
@@ -194,7 +198,7 @@ class View {
   Pixel size_;
 };
 
-// The legend's box: a heading, a field for each class, and the outline's line.
+// The parts of the legend: a heading, a coloured field for each class, and a sample of the surface's outline.
 constexpr int field_height = 24, field_width = 26, legend_top = 22, legend_bottom = 30;
 
 int legend_height(const Classes& classes) {
@@ -268,7 +272,7 @@ std::string figure(const TetMesh& mesh, const TriangleSurface& surface, const Fi
       "<g transform=\"translate({3} {4}) scale({5})\" stroke=\"#1b1e3a\" stroke-width=\"{6}\" "
       "stroke-linejoin=\"round\">\n",
       page_width, page_height, escaped(options.title), margin, header, 1.0 / fineness, 0.3 * fineness);
-  // The small ones last: their edges lie over those of the large ones.
+  // The classes of small values come last, so that their edges are drawn over those of large values.
   for (std::size_t i = fills.size(); i-- > 0;)
     if (!fills[i].text().empty())
       svg += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", colour(i, fills.size()), fills[i].text());

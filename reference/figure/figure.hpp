@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's figures 3 to 6: a plane's cut through a grid, as an SVG picture.
+// The picture of a plane's cut through a grid, as SVG, in the manner of the paper's figures 3 to 6.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace tetproof::reference {
 
 enum class FigureColour {
-  volume,  ///< in classes of powers of two of the grid's mean volume
-  quality  ///< the smallest solid angle, as a part of the whole sphere (section 4)
+  volume,  ///< volume over the grid's mean volume, in classes bounded by powers of two
+  quality  ///< the smallest solid angle, as a fraction of 4 pi (section 4)
 };
 
 struct FigureOptions {
@@ -19,9 +19,9 @@ struct FigureOptions {
   std::string title;
 };
 
-/// The cut as SVG 1.1: tetrahedra's triangles and quadrilaterals by colour classes, the surface's outline
-/// over them, a legend, and a caption that counts. The same input gives the same bytes. Throws InputError if
-/// the plane misses the grid.
+/// The cut as SVG 1.1: the triangles and quadrilaterals in which the plane cuts the tetrahedra, coloured by
+/// class; over them the outline of the surface; a legend; and a caption with the numbers of polygons. The
+/// same input gives the same bytes. Throws InputError if the plane misses the grid.
 std::string figure(const TetMesh& mesh, const TriangleSurface& surface, const FigureOptions& options);
 
 }  // namespace tetproof::reference

@@ -15,14 +15,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The axis that is the normal; -1 if none is.
+// The axis that equals the normal; -1 if there is none.
 int axis_of(const Plane& plane) {
   for (int i = 0; i < 3; ++i)
     if (plane.normal == Vector3d::Unit(i)) return i;
   return -1;
 }
 
-// Points against the plane: one number for each, so that all who share a point agree.
+// The side of the plane for each point. It is computed once for each point, so that all tetrahedra that share
+// a point agree.
 class Sides {
  public:
   Sides(const std::vector<Vector3d>& points, const Plane& plane)
@@ -39,7 +40,7 @@ class Sides {
   }
   int operator[](Index i) const { return side_[i]; }
 
-  // Where the plane meets the edge between a point above it and one below.
+  // The point where the plane meets the edge between a point above it and a point below it.
   Vector3d crossing(Index a, Index b) const {
     if (a > b) std::swap(a, b);
     const double t = above_[a] / (above_[a] - above_[b]);
@@ -56,10 +57,10 @@ class Sides {
   std::vector<signed char> side_;
 };
 
-// A face in the plane, with the tetrahedron that it stands for.
+// A face that lies in the plane, with its tetrahedron.
 struct InPlane {
   std::array<Index, 3> face;
-  int side;  // of the tetrahedron: -1 goes first
+  int side;  // of the plane on which the tetrahedron lies; -1 sorts first
   Index tet;
   auto operator<=>(const InPlane&) const = default;
 };
@@ -85,7 +86,8 @@ PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& p
     }
     if (ups == 0 || downs == 0) continue;
     for (int i = 0; i < ons; ++i) add(mesh.points[on[i]]);
-    // Around the polygon: the next crossing shares a corner, and with it a face, with the one before.
+    // In order around the polygon: two successive crossings lie on edges with a common corner, hence on one
+    // face.
     for (int i = 0; i < ups; ++i)
       for (int j = 0; j < downs; ++j) add(sides.crossing(up[i], down[i % 2 == 0 ? j : downs - 1 - j]));
     result.polygons.push_back(polygon);

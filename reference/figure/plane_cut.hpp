@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cut of a plane through a grid: a triangle or quadrilateral of each tetrahedron, and the surface's
-// outline.
+// The cut of a plane through a grid: a triangle or a quadrilateral for each tetrahedron that it cuts, and the
+// outline of the surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,39 +12,45 @@
 
 namespace tetproof::reference {
 
-/// normal . x = offset. Where the normal is an axis, sides are decided by comparing coordinates, exactly.
+/// The plane normal . x = offset. If the normal is an axis, sides are decided exactly, by comparing
+/// coordinates.
 struct Plane {
   Eigen::Vector3d normal;
   double offset = 0;
 };
 
-/// "x=0.5" (or y, z), "x" (through the middle of the surface's box), or "a,b,c,d" for a x + b y + c z = d.
-/// Throws InputError for anything else.
+/// Reads "x=0.5" (likewise y, z), "x" (the plane through the middle of the surface's box), or "a,b,c,d" (the
+/// plane a x + b y + c z = d). Throws InputError for any other text.
 Plane parse_plane(const std::string& text, const TriangleSurface& surface);
-/// As `parse_plane` reads it: "x = 0.5".
+/// The plane as text, such as "x = 0.5".
 std::string plane_text(const Plane& plane);
 
-/// A corner of a polygon lies on the plane to rounding, where the normal is an axis exactly; tetrahedra that
-/// share an edge share the point on it to the last bit.
+/// The polygon in which the plane cuts a tetrahedron. Its corners lie on the plane up to rounding; exactly,
+/// if the normal is an axis. Tetrahedra that share an edge have the same point on it, to the last bit.
 struct CutPolygon {
   Index tet;
-  int corners;                            ///< 3 or 4, in order around it
-  std::array<Eigen::Vector3d, 4> points;  ///< the first `corners` of them
+  int corners;                            ///< 3 or 4
+  std::array<Eigen::Vector3d, 4> points;  ///< in order around the polygon; the first `corners` are set
 };
 using CutSegment = std::array<Eigen::Vector3d, 2>;
 
 struct PlaneCut {
-  std::vector<CutPolygon> polygons;  ///< by tetrahedra; then faces that lie in the plane, each once
-  std::vector<CutSegment>
-      outline;  ///< of the surface: each segment once; none within its parts that lie in the plane
+  /// One for each tetrahedron that the plane cuts, in the order of the tetrahedra; then one for each face
+  /// that lies in the plane.
+  std::vector<CutPolygon> polygons;
+  /// The segments in which the plane cuts the surface, each once. Of a part of the surface that lies in the
+  /// plane, only the outer edges are among them.
+  std::vector<CutSegment> outline;
 };
 
-/// Tetrahedra that only touch the plane in a point or an edge have no polygon. A face that lies in the plane
-/// belongs to the tetrahedron on its negative side, or else the other. Indices must exist.
+/// Cuts the mesh and the surface. A tetrahedron that meets the plane only in a point or an edge has no
+/// polygon. A face that lies in the plane belongs to the tetrahedron on its negative side, or to the other
+/// one if there is none. All indices must exist.
 PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& plane);
 
-/// The plane as a picture: right and up, two unit vectors. Axis planes are seen along their axis: x from +x
-/// with y to the right, y from -y with x to the right, z from +z with x to the right.
+/// The unit vectors of the plane that point right and up in the picture. A plane normal to x is seen from +x,
+/// with y to the right; one normal to y is seen from -y, with x to the right; one normal to z is seen from
+/// +z, with x to the right.
 std::array<Eigen::Vector3d, 2> picture_axes(const Plane& plane);
 
 }  // namespace tetproof::reference

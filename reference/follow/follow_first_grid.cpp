@@ -12,7 +12,7 @@
 namespace tetproof::reference {
 namespace {
 
-// What was asked for, but for the number of points, which the end tells.
+// Compares the settings, except the number of points, which the end of the trace shows.
 void compare(const trace::Settings& theirs, const trace::Settings& ours) {
   const auto same = [](const auto& trace, const auto& here, std::string_view name) {
     if (trace != here)
@@ -38,7 +38,8 @@ void expect(double theirs, double ours, std::string_view name) {
   if (!close(theirs, ours)) throw Divergence{fmt::format("{} is {:.12g}, not {:.12g}", name, ours, theirs)};
 }
 
-// `place`: a centroid on a vertex has a distance of rounding only.
+// `place`: a difference of d below this [length] is rounding. Where a centroid lies on a surface vertex, d is
+// only rounding, and a relative comparison would fail.
 void compare(const trace::Weight& theirs, const Weight& ours, double place, double kappa_max) {
   const std::string at = " of the tetrahedron at " + text(theirs.tet);
   if (std::abs(theirs.d - ours.d) > place) expect(theirs.d, ours.d, "d, eq. (3.2)," + at);
@@ -86,7 +87,8 @@ Grid adopt(const Grid& grid, TraceStart& start, TracePoints& points) {
                        "; tetproof-compare tells which of steps (i) to (iv) made it"};
     }
     if (!start.named.emplace(sorted(tet), w).second)
-      throw Divergence{"the first grid: the tetrahedron at " + text(start.weights[w].tet) + " comes twice"};
+      throw Divergence{"the first grid: the tetrahedron at " + text(start.weights[w].tet) +
+                       " is listed twice"};
   }
   for (const auto& [place, number] : points.known()) adopted.mesh.points[number] = place;
   for (std::size_t t = 0; t < grid.mesh.tets.size(); ++t) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Following a trace, first half: its settings and its first grid with the weights of step (v). Not installed.
+// The first half of following a trace: its settings, and its first grid with the weights of step (v). Not
+// installed.
 #pragma once
 
 #include <map>
@@ -12,27 +13,30 @@
 
 namespace tetproof::reference {
 
-/// What a trace says up to its first decision of step (vi).
+/// The content of a trace up to its first decision of step (vi).
 struct TraceStart {
   trace::FirstGrid first_grid;
   std::vector<trace::Weight> weights;
-  std::map<Corners, std::size_t>
-      named;  ///< each weight by the sorted points of its tetrahedron, once `adopt` knows them
+  /// The position in `weights` for each tetrahedron, by the sorted numbers of its points. Filled by `adopt`.
+  std::map<Corners, std::size_t> named;
   std::optional<trace::Record> next;  ///< the first record of step (vi)
 };
 
-/// Reads it. Throws Divergence where the settings are not those of our run, InputError without step (v).
+/// Reads the start of a trace. Throws Divergence if its settings are not those of our run, InputError if it
+/// has no step (v).
 TraceStart read_start(trace::Reader& reader, const trace::Settings& ours);
 
-/// Our first grid with the trace's coordinates. Throws Divergence if its tetrahedra are not those of the
+/// Our first grid with the coordinates of the trace. Throws Divergence if its tetrahedra are not those of the
 /// trace.
 Grid adopt(const Grid& grid, TraceStart& start, TracePoints& points);
 
-/// Throws Divergence at the first weight that is not ours.
+/// Throws Divergence at the first weight of the trace that differs from ours.
 void compare_weights(const TraceStart& start, const Insertion& ours, const TracePoints& points);
 
-/// Whether two average errors agree: one far below the mean volume is known to the rounding of volumes only.
+/// The rounding error of an average error [length^3], which comes from the rounding of volumes. It matters
+/// where the average is far below the mean volume.
 double rounding_of_averages(const Insertion& insertion);
+/// Whether two average errors agree up to rounding.
 bool same_average(const Insertion& insertion, double a, double b);
 
 }  // namespace tetproof::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Following a trace: when two implementations mean the same point, number or choice, and what is said when
-// they do not. Not installed.
+// Agreement between a trace and our run: when two points, two numbers or two choices count as the same. Not
+// installed.
 #pragma once
 
 #include <map>
@@ -8,20 +8,21 @@
 
 #include "reference/engine/adaptation/triangulation.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 
 namespace tetproof::reference {
 
-inline constexpr double tie = 1e-12;        ///< relative: two choices as good as each other
-inline constexpr double agree = 1e-9;       ///< relative: two computations of one number
-inline constexpr double same_place = 1e-9;  ///< of the grid's diagonal: two computations of one point
+inline constexpr double tie = 1e-12;   ///< relative difference of two choices that are equally good
+inline constexpr double agree = 1e-9;  ///< relative difference of two computations of the same number
+/// Distance of two computations of the same point, as a fraction of the grid's diagonal.
+inline constexpr double same_place = 1e-9;
 
-/// The first decision that is not admissible, thrown to where the following ends.
+/// Thrown at the first decision that is not admissible; ends the following.
 struct Divergence {
   std::string what;
 };
 
-bool close(double a, double b);  ///< equal to `agree`
+bool close(double a, double b);  ///< whether two numbers are equal up to `agree`
 
 std::string text(const Eigen::Vector3d& p);
 template <std::size_t N>
@@ -40,10 +41,10 @@ Corners sorted(Corners tet);
 class TracePoints {
  public:
   explicit TracePoints(const TetMesh& first_grid);
-  double reach() const { return reach_; }  ///< closer than this is the same place [length]
+  double reach() const { return reach_; }  ///< two points closer than this are the same [length]
 
-  /// The number of a point that was named before, or of the first grid's point at this place. Throws
-  /// Divergence.
+  /// The number of a point that the trace has named before, or of the first grid's point at this place.
+  /// Throws Divergence if there is none.
   Index find(const Eigen::Vector3d& p);
   void add(const Eigen::Vector3d& p, Index number) { known_.insert_or_assign(p, number); }
 

@@ -23,7 +23,7 @@ std::string_view name_of(Criterion criterion) {
   throw std::logic_error("a criterion without a name");
 }
 
-// Where the cut of an edge between -1 and +1 is (readings D6, D7).
+// The place of the cut on an edge between -1 and +1 (readings D6, D7).
 Eigen::Vector3d cut_point(const Lattice& lattice, const Indicators& indicators, Edge e) {
   const std::int64_t own = indicators.cuts.find(e);
   if (own >= 0) return indicators.cuts.points[own];
@@ -107,58 +107,6 @@ void record_rows(const Lattice& lattice, const Grid& grid, const Recorder& recor
 void record_mapped(const std::vector<MappedPoint>& mapped, const Recorder& record) {
   for (const MappedPoint& point : mapped)
     record(trace::Mapped{point.from, point.moved ? point.to : point.from});
-}
-
-void record_first_grid(const WeightedGrid& grid, const Weighting& weighting, double mean_volume,
-                       const Recorder& record) {
-  const VolumeLaw& law = weighting.law();
-  trace::FirstGrid first{.points = grid.grid().points(),
-                         .tets = grid.grid().tets(),
-                         .mean_volume = mean_volume,
-                         .v0 = law.v0,
-                         .v1 = law.v1,
-                         .d1 = law.d1,
-                         .e_avg = grid.e_avg()};
-  if (weighting.with_curvature()) {
-    first.kappa_min = weighting.kappa_min();
-    first.kappa_max = weighting.kappa_max();
-  }
-  record(first);
-  for (Index t = 0; t < grid.grid().numbers(); ++t) {
-    const Weight& w = grid.weight(t);
-    trace::Weight weight{.tet = grid.grid().corner_points(t),
-                         .d = w.d,
-                         .omega = w.omega,
-                         .volume = w.volume,
-                         .desired = w.desired,
-                         .error = w.error};
-    if (weighting.with_curvature()) weight.kappa = w.kappa;
-    record(weight);
-  }
-}
-
-trace::Record record_of(const Candidate& chosen, const std::array<Eigen::Vector3d, 4>& corners,
-                        std::int64_t n, double e_avg) {
-  const Split& split = chosen.split;
-  return trace::Insertion{.n = n,
-                          .tet = corners,
-                          .row = std::string(tables::table4[split.row].name),
-                          .replaced = {split.replaced.begin(), split.replaced.begin() + split.pieces},
-                          .point = split.point,
-                          .e_avg = e_avg};
-}
-
-trace::Record record_of(const Flip& flip, const WeightedGrid& grid, Criterion criterion) {
-  const auto quality = [&](double q) { return criterion == Criterion::solid_angle ? solid_angle_of(q) : q; };
-  trace::Flip record{.two_to_three = flip.two_to_three(),
-                     .face = {},
-                     .edge = {},
-                     .quality_before = quality(flip.before),
-                     .quality_after = quality(flip.after),
-                     .e_avg = grid.e_avg()};
-  for (int i = 0; i < 3; ++i) record.face[i] = grid.grid().point(flip.face[i]);
-  for (int i = 0; i < 2; ++i) record.edge[i] = grid.grid().point(flip.edge[i]);
-  return record;
 }
 
 trace::Record end_of(const Generation& made) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each step decided, as records of the trace (corpus/vectors/TRACE.md).
+// A run as records of the trace (corpus/vectors/TRACE.md): its settings, the decisions of steps (i) to (iv),
+// its end. The records of steps (v) and (vi) are in engine/adaptation/adaptation_records.hpp.
 #pragma once
 
 #include <functional>
@@ -11,10 +12,11 @@ namespace tetproof::reference {
 
 using Recorder = std::function<void(const trace::Record&)>;
 
-/// The options as the trace's first record; the program and the surface are for the caller to name.
+/// The first record of the trace, from the options. The caller fills in the names of the program and the
+/// surface.
 trace::Settings settings_of(const Options& options, const TriangleSurface& surface);
 
-/// Steps (i) to (iv), in the order of the format.
+/// The decisions of steps (i) to (iv), in the order of the format.
 void record_lattice(const Lattice& lattice, const Recorder& record);
 void record_characterization(const Lattice& lattice, const Indicators& indicators,
                              const SurfaceVertices& settled, const std::vector<Vertex>& mended,
@@ -22,14 +24,7 @@ void record_characterization(const Lattice& lattice, const Indicators& indicator
 void record_rows(const Lattice& lattice, const Grid& grid, const Recorder& record);
 void record_mapped(const std::vector<MappedPoint>& mapped, const Recorder& record);
 
-/// Step (v).
-void record_first_grid(const WeightedGrid& grid, const Weighting& weighting, double mean_volume,
-                       const Recorder& record);
-
-/// Step (vi).
-trace::Record record_of(const Candidate& chosen, const std::array<Eigen::Vector3d, 4>& corners,
-                        std::int64_t n, double e_avg);
-trace::Record record_of(const Flip& flip, const WeightedGrid& grid, Criterion criterion);
+/// The last record of the trace.
 trace::Record end_of(const Generation& made);
 
 }  // namespace tetproof::reference

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps (v) and (vi): the grid adapts to distance and curvature, and is improved where that hurt.
+// Steps (v) and (vi): the adaptation of the grid to distance and curvature, with the local improvement of
+// section 4.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@
 
 namespace tetproof::reference {
 
-/// A volume, in multiples of the first grid's mean volume or absolute [length^3] (reading D13).
+/// A volume: in multiples of the first grid's mean volume, or absolute [length^3] (reading D13).
 struct VolumeSetting {
   double value;
   bool absolute = false;
@@ -19,56 +20,61 @@ struct VolumeSetting {
 
 struct AdaptOptions {
   static constexpr std::int64_t automatic = -1;
-  std::int64_t points = automatic;  ///< to insert at most; automatic: until no split lowers E_avg
-  VolumeSetting v0{0.2}, v1{2};     ///< eq. (3.1), positive
-  double d1 = 0;               ///< eq. (3.1) [length]; 0: the largest d_i of the first grid (reading D13)
-  double p = 1;                ///< eq. (3.1), positive
-  VolumeSetting e_avg{0};      ///< stop when E_avg is not above this (reading D17); 0: never
-  bool past_dilution = false;  ///< do not stop at reading D17's second rule; needs a number of points
-  bool curvature = false;      ///< weight the distance, eq. (3.6)
+  /// The largest number of points to insert. `automatic`: insert until no split lowers E_avg.
+  std::int64_t points = automatic;
+  VolumeSetting v0{0.2}, v1{2};  ///< eq. (3.1), positive
+  double d1 = 0;                 ///< eq. (3.1) [length]; 0: the largest d_i of the first grid (reading D13)
+  double p = 1;                  ///< eq. (3.1), positive
+  VolumeSetting e_avg{0};        ///< stop when E_avg is at most this (reading D17); 0: never for this reason
+  bool past_dilution = false;    ///< go on where reading D17 stops for dilution; needs a number of points
+  bool curvature = false;        ///< weight the distance by eq. (3.6)
   Criterion improve = Criterion::solid_angle;
-  double improve_below =
-      0.002;  ///< solid angle, of 1 (4 pi), that makes an improvement necessary (reading D21)
-  bool check_every_step = false;  ///< all invariants after every step: quadratic time, for tests
+  /// A new solid angle below this makes an improvement necessary (reading D21). As a fraction of the full
+  /// solid angle, 4 pi.
+  double improve_below = 0.002;
+  bool check_every_step = false;  ///< check all invariants after every step: quadratic time, for tests
 };
 
 /// Throws InputError for options out of range.
 void check(const AdaptOptions& options);
 
-/// Readings D17 and D23; `diverged` where a trace was followed as far as it was admissible.
+/// Why the adaptation ended (readings D17, D23). `diverged`: it followed a trace up to the first decision
+/// that is not admissible.
 enum class Stop { no_gain, dilution, stalled, points, e_avg, diverged };
 std::string_view name_of(Stop stop);
 
 struct Adaptation {
-  TetMesh mesh;  ///< points of the first grid, then the new ones; tetrahedra by number
-  std::vector<std::uint8_t> on_surface;  ///< of each point
-  VolumeLaw law{};                       ///< as used, absolute
+  TetMesh mesh;  ///< the points of the first grid, then the new ones; the tetrahedra ascending by number
+  std::vector<std::uint8_t> on_surface;  ///< of each point: whether it is a surface point
+  VolumeLaw law{};                       ///< as used, with absolute volumes
   double mean_volume = 0;                ///< of the first grid [length^3]
   bool with_curvature = false;
   double kappa_min = 0, kappa_max = 0;  ///< with curvature [1/length]
   double kappa_outlier_ratio = 1;       ///< with curvature: kappa_max over the 99th percentile (reading D15)
-  double e_avg_first = 0, e_avg_last = 0;
+  double e_avg_first = 0, e_avg_last = 0;  ///< E_avg of the first grid and of the last one [length^3]
   std::int64_t insertions = 0, refused = 0, flips = 0;
-  std::int64_t left =
-      0;  ///< points not moved to the parametric surface, or the boundary would cross itself (D12)
+  /// New points left where Table 4 puts them, because moving them to the parametric surface would make the
+  /// boundary meet itself (reading D12).
+  std::int64_t left = 0;
   std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
   Stop stopped = Stop::no_gain;
-  double smallest_solid_angle = 0;    ///< of the grid at the end, of 1 (4 pi)
+  // The worst tetrahedra of the last grid:
+  double smallest_solid_angle = 0;    ///< as a fraction of 4 pi
   double smallest_aspect_ratio = 0;   ///< D/A [1/length]
   double smallest_d_over_sqrt_a = 0;  ///< without a unit (reading E5)
 };
 
-/// What is told on the way; any of them may be empty.
+/// Functions that are called while the method runs. Each of them may be empty.
 struct Listener {
-  std::function<void(std::string_view)> phase;       ///< the name of each phase as it begins
-  std::function<void(const trace::Record&)> record;  ///< every decision, for the trace
-  std::function<void(const WeightedGrid&)>
-      after_step;  ///< the first grid, and the grid after each insertion and its flips
+  std::function<void(std::string_view)> phase;       ///< gets the name of each phase when it begins
+  std::function<void(const trace::Record&)> record;  ///< gets every decision, as a record of the trace
+  /// Gets the first grid, and the grid after each insertion and its flips.
+  std::function<void(const WeightedGrid&)> after_step;
 };
 
-/// Steps (v) and (vi) on the grid of steps (i) to (iv). `true_surface` may be null. The grid must not be
-/// empty, and be positive throughout. Throws InputError for options out of range, or volumes that ask for
-/// more than 2e8 tetrahedra.
+/// Steps (v) and (vi) on the grid of steps (i) to (iv). The grid must not be empty, and all its tetrahedra
+/// must be positive. `true_surface` may be null. Throws InputError for options out of range, and for volumes
+/// that ask for more than 2e8 tetrahedra.
 Adaptation adapt(const Grid& grid, const TriangleSurface& surface, const AdaptOptions& options,
                  const TrueSurface* true_surface, const Listener& listener);
 

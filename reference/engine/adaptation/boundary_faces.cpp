@@ -34,7 +34,7 @@ bool faces_meet(const BoundaryFace& f, const BoundaryFace& g) {
   std::array<Point, 3> p{point(f.corners[0]), point(f.corners[1]), point(f.corners[2])},
       q{point(g.corners[0]), point(g.corners[1]), point(g.corners[2])};
   std::array<Index, 3> names = g.names;
-  int common = 0;  // to the front of both
+  int common = 0;  // the common vertices are moved to the front of both
   for (int i = 0; i < 3; ++i)
     for (int j = common; j < 3; ++j)
       if (f.names[i] == names[j]) {
@@ -48,10 +48,10 @@ bool faces_meet(const BoundaryFace& f, const BoundaryFace& g) {
   switch (common) {
     case 0:
       return CGAL::do_intersect(s, t);
-    case 1:  // what they have in common beside the vertex ends on a side opposite to it
+    case 1:  // they have more in common than the vertex only if a side opposite to it meets the other face
       return CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), t) ||
              CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), s);
-    case 2:  // folded flat upon each other
+    case 2:  // they have more in common than the edge only if one is folded flat onto the other
       return CGAL::coplanar(p[0], p[1], p[2], q[2]) &&
              CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::POSITIVE;
     default:
@@ -70,7 +70,8 @@ void BoundaryFaces::visit_cells(const BoundaryFace& face, const Visit& visit) co
   }
   for (std::int64_t i = low[0]; i <= high[0]; ++i)
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
-      for (std::int64_t k = low[2]; k <= high[2]; ++k)  // two cells may share a key: they only hold more then
+      // Two cells with the same key share a list, which only costs time.
+      for (std::int64_t k = low[2]; k <= high[2]; ++k)
         visit(static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15u ^
               static_cast<std::uint64_t>(j) * 0xC2B2AE3D27D4EB4Fu ^
               static_cast<std::uint64_t>(k) * 0x165667B19E3779F9u);
@@ -89,7 +90,8 @@ void BoundaryFaces::remove(const BoundaryFace& face) {
       std::sort(other.names.begin(), other.names.end());
       return other.names == names;
     });
-    if (found == there.end()) throw std::logic_error("a boundary face is not where it was put");
+    if (found == there.end())
+      throw std::logic_error("a boundary face is not in the cell to which it was added");
     *found = there.back();
     there.pop_back();
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces that no other tetrahedron shares, by place: so that a point that moves to the parametric surface
-// does not carry the boundary through itself (reading D12).
+// The boundary faces of the grid, found by their place. They are searched before a point is moved to the
+// parametric surface, so that the move does not make the boundary meet itself (reading D12).
 #pragma once
 
 #include <array>
@@ -14,23 +14,23 @@
 namespace tetproof::reference {
 
 struct BoundaryFace {
-  std::array<Index, 3> names;  ///< of its points, in any order
+  std::array<Index, 3> names;  ///< the numbers of its points, in any order
   std::array<Eigen::Vector3d, 3> corners;
 };
 
-/// Whether two faces have a point in common beside the vertices, or the edge, that they share by name. Exact.
+/// Whether two faces have more in common than the vertex or the edge whose numbers they share. Exact.
 bool faces_meet(const BoundaryFace& f, const BoundaryFace& g);
 
-/// Faces in the cells of a uniform grid. Adding, removing and asking take constant time where faces are no
-/// larger than a few cells and no cell holds many.
+/// Faces, stored by the cells of a uniform grid that they meet. Adding, removing and searching take constant
+/// time if a face meets only a few cells and a cell holds only a few faces.
 class BoundaryFaces {
  public:
-  /// `cell`: side of the cells [length], positive; about the size of a face.
+  /// `cell`: the side of the cells [length], positive; best about the size of a face.
   explicit BoundaryFaces(double cell) : cell_(cell) {}
 
   void add(const BoundaryFace& face);
-  void remove(const BoundaryFace& face);  ///< with the corners that it was added with
-  /// Whether the face meets one of those held that `counts` accepts.
+  void remove(const BoundaryFace& face);  ///< needs the same corners as `add` got
+  /// Whether `face` meets one of the stored faces for which `counts` is true.
   bool meets(const BoundaryFace& face, const std::function<bool(const BoundaryFace&)>& counts) const;
 
  private:

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -23,7 +23,7 @@ std::vector<std::vector<Index>> stars_of(const TriangleSurface& surface) {
   return stars;
 }
 
-// The sum in an order that does not depend on the numbering.
+// The sum of vectors, added in an order that does not depend on the numbering of the vertices.
 Eigen::Vector3d sum(Points vectors) {
   std::sort(vectors.begin(), vectors.end(), lexicographically_less);
   Eigen::Vector3d total = Eigen::Vector3d::Zero();
@@ -58,7 +58,7 @@ class Fit {
     return found;
   }
 
-  // The vertices that share a triangle with one of `of`, without `v`.
+  // The vertices that share a triangle with a vertex of `of`, except `v`.
   std::vector<Index> neighbours(const std::vector<Index>& of, Index v) const {
     std::vector<Index> found;
     for (const Index w : of)
@@ -70,13 +70,13 @@ class Fit {
     return found;
   }
 
-  // |k1| + |k2| from the vertices of `ring`; nothing if they do not determine the fit.
+  // |k1| + |k2|, fitted to the vertices of `ring`; nothing if they do not determine the fit.
   std::optional<double> fit(Index v, const Eigen::Vector3d& normal, const std::vector<Index>& ring) const {
     Points offsets;
     for (const Index n : ring) offsets.push_back(surface_.vertices[n] - surface_.vertices[v]);
     std::sort(offsets.begin(), offsets.end(), lexicographically_less);
     const Eigen::Vector3d u = normal.unitOrthogonal(), w = normal.cross(u);
-    double scale = 0;  // makes the columns numbers around 1
+    double scale = 0;  // makes the entries of the columns numbers around 1
     for (const Eigen::Vector3d& o : offsets) scale = std::max(scale, o.norm());
     Eigen::MatrixX3d columns(offsets.size(), 3);  // of c20, c11, c02
     Eigen::VectorXd heights(offsets.size());

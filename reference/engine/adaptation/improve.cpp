@@ -41,7 +41,8 @@ double quality(const Triangulation& grid, const Corners& tet, Criterion criterio
   return criterion == Criterion::aspect_ratio ? aspect_ratio(corners) : smallest_solid_angle(corners);
 }
 
-// Ascending vertices as a positive tetrahedron, or nothing if they lie in a plane.
+// The vertices as a positive tetrahedron: ascending, or with the last two exchanged. Nothing if they are
+// coplanar.
 std::optional<Corners> positive(const Triangulation& grid, Corners tet) {
   tet = ascending(tet);
   const int sign =
@@ -61,7 +62,7 @@ bool contains(const std::vector<Index>& set, Index tet) {
   return std::find(set.begin(), set.end(), tet) != set.end();
 }
 
-// The sides of the edge d e as seen from triangle a b c: the edge pierces it if all three agree.
+// Whether the edge passes through the inside of the face: the face's three edges lie on the same side of it.
 bool pierces(const Triangulation& grid, const std::array<Index, 3>& face, const std::array<Index, 2>& edge) {
   const auto sign = [&](Index p, Index q) {
     return orientation(grid.point(p), grid.point(q), grid.point(edge[0]), grid.point(edge[1]));
@@ -70,7 +71,7 @@ bool pierces(const Triangulation& grid, const std::array<Index, 3>& face, const 
   return first != 0 && sign(face[1], face[2]) == first && sign(face[2], face[0]) == first;
 }
 
-// Whether the plane of the face has the two points strictly on different sides.
+// Whether the ends of the edge lie strictly on different sides of the plane of the face.
 bool separates(const Triangulation& grid, const std::array<Index, 3>& face,
                const std::array<Index, 2>& edge) {
   const auto side = [&](Index p) {
@@ -79,7 +80,7 @@ bool separates(const Triangulation& grid, const std::array<Index, 3>& face,
   return side(edge[0]) * side(edge[1]) < 0;
 }
 
-// The flip with both sides of the exchange, once it is known to be possible.
+// The flip, which must be possible, with its tetrahedra and qualities before and after.
 Flip flip_of(const Triangulation& grid, std::vector<Index> old, const std::array<Index, 3>& face,
              const std::array<Index, 2>& edge, Criterion criterion) {
   Flip flip{.old = std::move(old), .fresh = {}, .face = face, .edge = edge};
@@ -145,15 +146,15 @@ std::vector<Flip> possible_flips(const Triangulation& grid, const std::vector<In
       const auto edge = sorted(std::array{tet[f], apex(grid.corners(n), face)});
       if (pierces(grid, face, edge)) found.push_back(flip_of(grid, {t, n}, face, edge, criterion));
     }
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) {  // 3-2 around the edge, found from the lowest of the three
+    for (int i = 0; i < 4; ++i)  // 3-2 around the edge i j, found only from the lowest-numbered of the three
+      for (int j = i + 1; j < 4; ++j) {
         std::array<int, 2> others{};
         for (int k = 0, at = 0; k < 4; ++k)
           if (k != i && k != j) others[at++] = k;
         const Index m = grid.neighbour(t, others[0]), n = grid.neighbour(t, others[1]);
         if (m < t || n < t || m == n || !contains(set, m) || !contains(set, n)) continue;
         const auto edge = sorted(std::array{tet[i], tet[j]});
-        // m has the edge, others[1] and a third vertex; n the edge, others[0] and a third vertex.
+        // m has the edge, others[1] and a third vertex; n has the edge, others[0] and a third vertex.
         const Index third = apex(grid.corners(m), {tet[i], tet[j], tet[others[1]]});
         if (third != apex(grid.corners(n), {tet[i], tet[j], tet[others[0]]})) continue;
         const auto& beside_m = grid.corners(m);

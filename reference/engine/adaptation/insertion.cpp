@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "io/error.hpp"
+#include "reference/engine/adaptation/adaptation_records.hpp"
 #include "reference/engine/adaptation/curvature.hpp"
 #include "reference/engine/adaptation/invariants.hpp"
-#include "reference/trace/trace_records.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -30,7 +30,7 @@ std::vector<double> distances_of(const Triangulation& grid, const Weighting& wei
   return distances;
 }
 
-// Eq. (3.1) with what reading D13 leaves to the first grid.
+// The law of eq. (3.1). Settings that depend on the first grid become absolute (reading D13).
 VolumeLaw law_of(const AdaptOptions& options, double mean_volume, const std::vector<double>& distances) {
   const double d1 = options.d1 != 0 ? options.d1 : *std::max_element(distances.begin(), distances.end());
   if (d1 == 0) throw InputError("every tetrahedron of the first grid is at distance 0: give d1");
@@ -44,7 +44,7 @@ double mean_volume_of(const TetMesh& mesh) {
   return sum.value() / static_cast<double>(mesh.tets.size());
 }
 
-// Before memory runs out: how many tetrahedra the law asks for.
+// Refuses a law that asks for more tetrahedra than memory can hold.
 void check_demand(const WeightedGrid& grid, const AdaptOptions& options) {
   double tets = 0;
   for (Index t = 0; t < grid.grid().numbers(); ++t)

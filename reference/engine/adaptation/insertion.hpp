@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (vi), taken apart: the choice by eq. (3.5) and when to stop, the split, the flips. What drives it may
-// be the paper (adapt) or another implementation (follow).
+// The operations of step (vi): the choice by eq. (3.5) with the rules for stopping, the split, the flips.
+// `adapt` runs them as the paper does; `follow` runs them as the trace of another implementation says.
 #pragma once
 
 #include "reference/engine/adaptation/adapt.hpp"
 
 namespace tetproof::reference {
 
-/// The best candidate, and the reason to stop instead, if there is one.
+/// The best candidate, if there is one, and the reason to stop instead, if there is one.
 struct Choice {
   std::optional<Candidate> best;
   std::optional<Stop> stop;
@@ -24,21 +24,23 @@ class Insertion {
   const WeightedGrid& grid() const { return *grid_; }
   const Adaptation& so_far() const { return result_; }
 
-  /// Eq. (3.5) and the rules for stopping, in the order: points, E_avg, stalled, no gain, dilution.
-  /// Candidates that would degenerate are refused on the way (reading D18).
+  /// Applies eq. (3.5) and the rules for stopping, in the order: points, E_avg, stalled, no gain, dilution.
+  /// Before the last two rules, candidates whose split would degenerate are refused (reading D18).
   Choice choose();
 
-  /// Splits the chosen tetrahedron. Returns the set O_i of section 4, the pieces and the neighbours that the
-  /// tetrahedron had; empty without improvement.
+  /// Splits the chosen tetrahedron. Returns the set O_i of section 4: the pieces, and the neighbours that the
+  /// tetrahedron had. The set is empty if no improvement is asked for.
   std::vector<Index> insert(const Candidate& chosen);
   /// Whether the split made a solid angle below the tolerance (reading D21).
   bool needs_improvement() const;
-  double smallest_new_solid_angle() const { return smallest_new_solid_angle_; }  ///< of 1 (4 pi)
-  /// Makes a flip; returns the updated set.
+  /// The smallest solid angle that the split made, as a fraction of 4 pi.
+  double smallest_new_solid_angle() const { return smallest_new_solid_angle_; }
+  /// Makes a flip. Returns the updated set O_i.
   std::vector<Index> flip(const Flip& flip, std::vector<Index> set);
-  /// After the flips of an insertion.
+  /// Ends a step. To be called after the flips of an insertion.
   void end_step();
 
+  /// The result. Nothing else may be called afterwards.
   Adaptation finish(Stop stop);
 
  private:
@@ -50,8 +52,8 @@ class Insertion {
   std::optional<WeightedGrid> grid_;
   Adaptation result_;
   double e_avg_goal_ = 0, least_e_avg_ = 0, smallest_new_solid_angle_ = 1;
-  std::int64_t least_at_ = 0;  // the insertion that set it
-  Index first_of_step_ = 0;    // the number of the first tetrahedron of the last insertion
+  std::int64_t least_at_ = 0;  // the number of the insertion that set least_e_avg_
+  Index first_of_step_ = 0;    // the number of the first piece of the last insertion
 };
 
 }  // namespace tetproof::reference

@@ -15,7 +15,7 @@ namespace {
 
 using Face = std::array<Index, 3>;
 
-// A face as it runs, from its lowest vertex.
+// A face in its own orientation, starting at its lowest vertex.
 Face face_of(const Corners& tet, int f) {
   const auto& [i, j, k] = tet_faces[f];
   Face face{tet[i], tet[j], tet[k]};
@@ -47,7 +47,7 @@ void check_faces(const Triangulation& grid) {
     for (int f = 0; f < 4 && grid.alive(t); ++f) {
       const Face face = face_of(grid.corners(t), f);
       if (++uses[face] > 1 || (grid.neighbour(t, f) < 0 && uses.contains(reversed(face))))
-        throw std::logic_error(fmt::format("face {} {} {} belongs to more tetrahedra than know of it",
+        throw std::logic_error(fmt::format("face {} {} {} belongs to more tetrahedra than the neighbours say",
                                            face[0], face[1], face[2]));
     }
 }
@@ -67,7 +67,7 @@ void check_invariants(const WeightedGrid& weighted, Index first) {
     check_tetrahedron(grid, t);
     const auto [a, b, c, d] = grid.corner_points(t);
     if (weight.error != volume_error(volume(a, b, c, d), weight.desired))
-      throw std::logic_error(fmt::format("tetrahedron {} has the error of another volume", t));
+      throw std::logic_error(fmt::format("the error kept for tetrahedron {} is not that of its volume", t));
   }
   if (first == 0) check_faces(grid);
   const double e_avg = average_error(sum.value(), tets);

@@ -13,7 +13,7 @@
 
 #include "reference/engine/adaptation/boundary_faces.hpp"
 #include "reference/engine/adaptation/triangulation.hpp"
-#include "reference/engine/first_grid/contacts.hpp"
+#include "reference/engine/first_grid/closest_point.hpp"
 #include "reference/engine/first_grid/exact.hpp"
 
 namespace tetproof::reference {
@@ -28,7 +28,7 @@ Kernel::Point_3 cgal_point(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Barycentric coordinates of a point of the triangle's plane.
+// The barycentric coordinates of a point in the plane of the triangle.
 Eigen::Vector3d barycentric(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double area = normal.squaredNorm();
@@ -71,7 +71,7 @@ Eigen::Vector3d TrueSurface::operator()(const Eigen::Vector3d& point) const {
 
 namespace {
 
-// For each point the tetrahedra, or faces, that have it.
+// For each point, the tetrahedra or faces that have it as a vertex.
 template <class Simplex>
 class Stars {
  public:

@@ -12,9 +12,9 @@ using tables::Place;
 
 // An edge or face of a tetrahedron as a place for the new point.
 struct Simplex {
-  std::vector<int> corners;  // positions, ascending
+  std::vector<int> corners;  // positions in the tetrahedron, ascending
   double size;               // squared length, or squared area times four
-  std::vector<Index> names;  // sorted numbers of its points
+  std::vector<Index> names;  // the numbers of its points, ascending
 };
 
 Simplex simplex(const Triangulation& grid, Index tet, std::vector<int> corners) {
@@ -53,7 +53,7 @@ const int row_0 = row_named("0"), row_1 = row_named("1"), row_2a = row_named("2a
 std::vector<Split> splits_by_table4(const Triangulation& grid, Index tet, double tie) {
   const std::vector<int> all{0, 1, 2, 3};
   std::vector<int> surface;  // v1, v2, ... of the row
-  int other = -1;            // the last corner that is none of them
+  int other = -1;            // the last corner that is not a surface point
   for (int i = 0; i < 4; ++i)
     if (grid.on_surface(grid.corners(tet)[i]))
       surface.push_back(i);
@@ -93,7 +93,7 @@ std::vector<Split> splits_by_table4(const Triangulation& grid, Index tet, double
     return a.size != b.size ? a.size > b.size : a.names < b.names;
   });
   std::vector<Split> splits;
-  for (const Simplex& place : places)  // sizes are squares
+  for (const Simplex& place : places)  // sizes are squares, hence 2 * tie
     if (splits.empty() || place.size >= places.front().size * (1 - 2 * tie))
       splits.push_back(split_at(grid, tet, row, place.corners));
   return splits;

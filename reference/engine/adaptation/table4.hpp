@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table 4: where the new point of a split goes (reading D19).
+// Table 4: the place of the new point when a tetrahedron is split (reading D19).
 #pragma once
 
 #include "reference/engine/adaptation/triangulation.hpp"
@@ -18,8 +18,8 @@ enum class Place : std::uint8_t {
   edge,         ///< the midpoint of the edge that no other tetrahedron has
 };
 
-/// Table 4: by the surface points among the vertices, the faces that no other tetrahedron shares, and whether there is an edge that
-/// no other tetrahedron has.
+/// A row of Table 4. Its case depends on the number of surface points among the vertices and on the edges and faces that no other
+/// tetrahedron shares.
 struct Table4Row {
   std::string_view name;
   int surface_points;
@@ -29,7 +29,7 @@ struct Table4Row {
 
 inline constexpr std::array table4{
     //        case  surface points   configuration
-    Table4Row{"0",  0, "",                                                             Place::tetrahedron},  // not printed: no special care
+    Table4Row{"0",  0, "",                                                             Place::tetrahedron},  // not printed: the paper asks for no special care
     Table4Row{"1",  1, "",                                                             Place::tetrahedron},
     Table4Row{"2a", 2, "another tetrahedron shares the edge v1 v2",                    Place::tetrahedron},
     Table4Row{"2b", 2, "no other tetrahedron shares the edge v1 v2",                   Place::edge},
@@ -47,27 +47,30 @@ static_assert(table4.size() == 11);
 
 }  // namespace tables
 
-/// One tetrahedron's split: each of the corners of the edge, face or tetrahedron that holds the new point is
-/// replaced by it in turn, in the order of the tetrahedron's corners.
+/// The split of one tetrahedron. The new point lies on an edge, on a face or inside. There is one piece for
+/// each corner of that edge, face or tetrahedron: the tetrahedron with this corner replaced by the new point.
+/// The pieces are in the order of the corners.
 struct Split {
   int row;                        ///< in `tables::table4`
   int pieces;                     ///< 2, 3 or 4
-  std::array<int, 4> replaced{};  ///< `pieces` corner positions, ascending
+  std::array<int, 4> replaced{};  ///< the first `pieces`: positions of the replaced corners, ascending
   Eigen::Vector3d point;          ///< the mean of these corners
-  bool on_surface;  ///< the new point is a surface point: it lies on an unshared edge or face (reading D19)
+  /// Whether the new point is a surface point: it lies on an unshared edge or face (reading D19).
+  bool on_surface;
 };
 
-/// The splits that Table 4 allows a tetrahedron: one, but where a row takes the longest of several edges, or
-/// the largest of several faces. The first is the one prescribed: lengths and areas are compared in doubles,
-/// ties by the sorted numbers of the points. The others follow if they are as large to `tie`, relative.
+/// The splits of a tetrahedron that Table 4 allows. There is more than one only if a row takes the longest of
+/// several edges, or the largest of several faces. The first split is the prescribed one: lengths and areas
+/// are compared in doubles, and equal ones by the sorted numbers of their points. The other splits are those
+/// whose edge or face is as large within a relative difference of `tie`.
 std::vector<Split> splits_by_table4(const Triangulation& grid, Index tet, double tie);
 
-/// The split that Table 4 prescribes for a tetrahedron. Where a row asks for an edge that no other
-/// tetrahedron has and there is none, the point is the centroid of the largest unshared face.
+/// The split of a tetrahedron that Table 4 prescribes. If the row asks for an edge that no other tetrahedron
+/// has, and there is none, the point is the centroid of the largest unshared face.
 Split split_by_table4(const Triangulation& grid, Index tet);
 
-/// The corners of the pieces, with `point` for the corners replaced, in order; the first `split.pieces`
-/// count.
+/// The corners of the pieces, in order, where `point` is the number of the new point. The first
+/// `split.pieces` are set.
 std::array<Corners, 4> pieces_of(const Corners& tet, const Split& split, Index point);
 
 }  // namespace tetproof::reference

@@ -26,7 +26,7 @@ std::uint64_t edge_key(Index a, Index b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
 }
 
-// A face of a tetrahedron, while partners are looked for.
+// A face of a tetrahedron whose neighbour across it is still to be found.
 struct Side {
   Face face;
   Index tet;
@@ -80,7 +80,7 @@ void Triangulation::count_edges(const Corners& tet, int change) {
 
 Index Triangulation::add_point(const Eigen::Vector3d& point, bool on_surface) {
   if (mesh_.points.size() == std::numeric_limits<Index>::max())
-    throw std::length_error("more points than a number can hold");
+    throw std::length_error("more points than an index can number");
   mesh_.points.push_back(point);
   on_surface_.push_back(on_surface);
   return points() - 1;
@@ -88,8 +88,9 @@ Index Triangulation::add_point(const Eigen::Vector3d& point, bool on_surface) {
 
 Index Triangulation::replace(std::span<const Index> old, std::span<const Corners> fresh) {
   if (mesh_.tets.size() + fresh.size() > std::numeric_limits<Index>::max())
-    throw std::length_error("more tetrahedra than a number can hold");
-  // The faces towards the tetrahedra around, each with its neighbour's place.
+    throw std::length_error("more tetrahedra than an index can number");
+  // The outer faces of the old tetrahedra, each with the neighbour beyond it and the neighbour's own face
+  // number.
   std::vector<Side> around;
   for (const Index t : old)
     for (int f = 0; f < 4; ++f) {
@@ -112,7 +113,7 @@ Index Triangulation::replace(std::span<const Index> old, std::span<const Corners
       const Face face = face_of(tet, f);
       const auto partner =
           std::find_if(around.begin(), around.end(), [&](const Side& s) { return s.face == face; });
-      if (partner == around.end()) {  // inside, to be found by a later one, or on the boundary
+      if (partner == around.end()) {  // shared with a later new tetrahedron, or on the boundary
         around.push_back({face, t, f});
         continue;
       }

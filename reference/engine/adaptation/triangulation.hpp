@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second triangulation while it changes: who shares a face, who shares an edge, and the exchange of a few
-// tetrahedra for others.
+// The second triangulation while it changes: which tetrahedra share a face, which edges are shared, and the
+// exchange of a few tetrahedra for others.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace tetproof::reference {
 
 using Corners = std::array<Index, 4>;
 
-/// Tetrahedra that may be replaced. Each keeps its number; a new one gets the next, and numbers of replaced
-/// ones are not used again (reading D16).
+/// Tetrahedra that can be replaced. Each one keeps its number, a new one gets the next number, and the number
+/// of a replaced one is not used again (reading D16).
 class Triangulation {
  public:
-  /// A conforming mesh of positive tetrahedra, and which of its points are surface points. Throws
-  /// std::logic_error if a face belongs to more than two tetrahedra.
+  /// `mesh`: conforming, with positive tetrahedra. `on_surface`: for each point, whether it is a surface
+  /// point. Throws std::logic_error if a face belongs to more than two tetrahedra.
   Triangulation(TetMesh mesh, std::vector<std::uint8_t> on_surface);
 
   const Eigen::Vector3d& point(Index p) const { return mesh_.points[p]; }
@@ -34,16 +34,18 @@ class Triangulation {
   /// Whether another tetrahedron has the edge between two corners. Both must be surface points.
   bool edge_is_shared(Index tet, int i, int j) const;
 
-  std::int64_t tets() const { return alive_; }                             ///< how many there are
-  Index numbers() const { return static_cast<Index>(mesh_.tets.size()); }  ///< how many there have ever been
+  std::int64_t tets() const { return alive_; }  ///< how many there are now
+  Index numbers() const {
+    return static_cast<Index>(mesh_.tets.size());
+  }  ///< how many numbers have been given
 
   Index add_point(const Eigen::Vector3d& point, bool on_surface);
-  /// Exchanges tetrahedra for others that fill the same space; returns the number of the first new one, the
-  /// others follow. Throws std::logic_error if a face that was shared would not be any more, or be shared by
-  /// three.
+  /// Exchanges tetrahedra for others that fill the same space. Returns the number of the first new one; the
+  /// others have the next numbers. Throws std::logic_error if a face towards another tetrahedron would be
+  /// lost.
   Index replace(std::span<const Index> old, std::span<const Corners> fresh);
 
-  /// What is there now: points as numbered, tetrahedra by ascending number.
+  /// The present mesh: points as numbered here, tetrahedra in ascending order of their numbers.
   TetMesh mesh() const;
 
  private:
@@ -53,8 +55,8 @@ class Triangulation {
   TetMesh mesh_;
   std::vector<std::uint8_t> on_surface_;
   std::vector<std::array<Index, 4>> neighbours_;
-  std::unordered_map<std::uint64_t, std::int32_t>
-      surface_edges_;  ///< tetrahedra at each edge between surface points
+  // For each edge between surface points, the number of tetrahedra that have it.
+  std::unordered_map<std::uint64_t, std::int32_t> surface_edges_;
   std::int64_t alive_ = 0;
 };
 

@@ -88,12 +88,12 @@ Candidate WeightedGrid::candidate(Index tet, const Split& split) const {
   return found;
 }
 
-// The literal evaluation above costs a nearest-vertex query for each piece. Most candidates never come near
-// the top of their queue, and a bound from the distance that is known already tells.
+// The literal evaluation above needs a nearest-vertex query for each piece. Most candidates never come near
+// the top of their queue. For them a lower bound, from the distance that is known already, is enough.
 WeightedGrid::Entry WeightedGrid::bound(Index tet, int& pieces) const {
   const Split split = split_by_table4(grid_, tet);
   pieces = split.pieces;
-  if (split.on_surface && to_surface_)  // the point itself is expensive
+  if (split.on_surface && to_surface_)  // finding the new point itself is expensive
     return {-std::numeric_limits<double>::infinity(), tet, false};
   const auto corners = grid_.corner_points(tet);
   const Weight& whole = weights_[tet];
@@ -101,10 +101,11 @@ WeightedGrid::Entry WeightedGrid::bound(Index tet, int& pieces) const {
   double change = -whole.error;
   for (int k = 0; k < split.pieces; ++k) {
     const auto [a, b, c, d] = piece(corners, split, k);
-    const double moved_by = (centroid(a, b, c, d) - centre).norm();  // as rounded, far from the origin too
+    // From the rounded centroids, so that the bound also holds far from the origin.
+    const double moved_by = (centroid(a, b, c, d) - centre).norm();
     change += weighting_.least_error(volume(a, b, c, d), whole.d, moved_by);
   }
-  constexpr double slack = 1e-12;  // far above the rounding of this sum and of the literal one
+  constexpr double slack = 1e-12;  // far above the rounding errors of this sum and of the literal one
   return {change - slack * (whole.error + whole.volume), tet, false};
 }
 
@@ -128,7 +129,7 @@ std::optional<Candidate> WeightedGrid::best() {
         chosen = q;
     }
     if (chosen < 0) return std::nullopt;
-    bool settled = true;  // every bound that might win has been made exact
+    bool settled = true;  // whether every bound that might win has been made exact
     for (int q = 0; q < 3; ++q) {
       if (queues_[q].empty() || queues_[q].top().exact || averages[q] > averages[chosen]) continue;
       const Index tet = queues_[q].top().tet;
@@ -149,7 +150,7 @@ bool WeightedGrid::is_positive(const Candidate& c) const {
 bool WeightedGrid::crosses_boundary(const Candidate& c) const {
   if (!c.moved) return false;
   const Corners& corners = grid_.corners(c.tet);
-  std::vector<BoundaryFace> fresh;  // the halves or thirds of the unshared faces that hold the point
+  std::vector<BoundaryFace> fresh;  // the parts into which the new point cuts the unshared faces that hold it
   for (int f = 0; f < 4; ++f) {
     const bool holds = std::none_of(c.split.replaced.begin(), c.split.replaced.begin() + c.split.pieces,
                                     [&](int corner) { return corner == f; });
@@ -158,22 +159,22 @@ bool WeightedGrid::crosses_boundary(const Candidate& c) const {
       BoundaryFace piece = face(c.tet, f);
       for (int v = 0; v < 3; ++v)
         if (piece.names[v] == corners[c.split.replaced[k]]) {
-          piece.names[v] = grid_.points();  // as it will be called
+          piece.names[v] = grid_.points();  // the number that the new point will get
           piece.corners[v] = c.split.point;
         }
       fresh.push_back(piece);
     }
   }
-  const auto stays =
-      [&](const BoundaryFace& other) {  // faces of the tetrahedron that do not hold the point do
-        int replaced = 0;
-        for (const Index name : other.names)
-          for (int k = 0; k < c.split.pieces; ++k) replaced += name == corners[c.split.replaced[k]];
-        const bool own = std::all_of(other.names.begin(), other.names.end(), [&](Index name) {
-          return std::find(corners.begin(), corners.end(), name) != corners.end();
-        });
-        return !(own && replaced == c.split.pieces);
-      };
+  // Every boundary face stays except those faces of the tetrahedron that hold the new point.
+  const auto stays = [&](const BoundaryFace& other) {
+    int replaced = 0;
+    for (const Index name : other.names)
+      for (int k = 0; k < c.split.pieces; ++k) replaced += name == corners[c.split.replaced[k]];
+    const bool own = std::all_of(other.names.begin(), other.names.end(), [&](Index name) {
+      return std::find(corners.begin(), corners.end(), name) != corners.end();
+    });
+    return !(own && replaced == c.split.pieces);
+  };
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     if (boundary_->meets(fresh[i], stays)) return true;
     for (std::size_t j = 0; j < i; ++j)
@@ -220,7 +221,7 @@ Index WeightedGrid::apply(const Candidate& c) {
 }
 
 Index WeightedGrid::exchange(std::span<const Index> old, std::span<const Corners> fresh) {
-  for (const Index t : old) {  // no flip touches the boundary's faces
+  for (const Index t : old) {  // boundary_ stays as it is: no flip changes a boundary face
     evaluated_.erase(t);
     left_.erase(t);
     sum_.add(-weights_[t].error);

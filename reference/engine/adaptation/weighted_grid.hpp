@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (vi), first half: the grid with its weights, and the split that eq. (3.5) chooses.
+// The grid of step (vi) with its weights, and the choice of the best split by eq. (3.5).
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace tetproof::reference {
 
-/// A sum of doubles with Neumaier's compensation: its error does not grow with the number of terms.
+/// A sum of doubles with Neumaier's compensation, so that its error does not grow with the number of terms.
 class CompensatedSum {
  public:
   void add(double x) {
@@ -27,21 +27,24 @@ class CompensatedSum {
   double sum_ = 0, lost_ = 0;
 };
 
-/// Where a new surface point goes; without one, where Table 4 puts it.
+/// Maps the place of a new surface point to the parametric surface. Empty: the point stays where Table 4 puts
+/// it.
 using MapToSurface = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
 /// A tetrahedron that eq. (3.5) may choose.
 struct Candidate {
   Index tet;
-  Split split;  ///< with its point on the parametric surface, if there is one and it fits (reading D12)
-  bool moved = false;            ///< whether its point was moved there
-  std::array<Weight, 4> pieces;  ///< the first `split.pieces`
-  double change;                 ///< of the sum of errors: ((E'_1 + E'_2) + ...) - E_j
+  Split split;         ///< its point is moved to the parametric surface where reading D12 permits it
+  bool moved = false;  ///< whether the point was moved
+  std::array<Weight, 4> pieces;  ///< the first `split.pieces` are set
+  double change;                 ///< of the sum of errors, ((E'_1 + E'_2) + ...) - E_j
 };
 
+/// The second triangulation with the weight of every tetrahedron, kept up to date through splits and flips.
 class WeightedGrid {
  public:
-  /// Weighs every tetrahedron from its distance, eq. (3.2). `to_surface` may be empty.
+  /// Computes the weight of every tetrahedron from its distance, eq. (3.2). `weighting` must outlive this
+  /// object.
   WeightedGrid(Triangulation grid, const Weighting& weighting, const std::vector<double>& distances,
                MapToSurface to_surface);
 
@@ -50,35 +53,36 @@ class WeightedGrid {
   double sum() const { return sum_.value(); }
   double e_avg() const { return average_error(sum(), grid_.tets()); }  ///< eq. (3.4)
 
-  /// Eq. (3.5) for one tetrahedron, literally.
+  /// The candidate of one tetrahedron, as eq. (3.5) defines it.
   Candidate candidate(Index tet) const;
-  /// The same for a split that Table 4 allows, its point as given.
+  /// The same for a given split that Table 4 allows. Its point is not moved.
   Candidate candidate(Index tet, const Split& split) const;
   double e_avg_after(const Candidate& c) const {
     return average_error_after_split(sum(), c.change, grid_.tets(), c.split.pieces);
   }
-  /// The candidate with the smallest E'_avg, ties by the lowest number (reading D16): the same as asking all
-  /// that were not refused, in log n.
+  /// The candidate with the smallest E'_avg, and of equal ones the lowest-numbered tetrahedron (reading D16).
+  /// The result is the same as that of a search through all tetrahedra that are not refused, in logarithmic
+  /// time.
   std::optional<Candidate> best();
   /// Whether all pieces are exactly positive (reading D18).
   bool is_positive(const Candidate& c) const;
-  /// Whether its point was moved and would carry the boundary through itself (reading D12).
+  /// Whether the candidate's point was moved and would make the boundary meet itself (reading D12).
   bool crosses_boundary(const Candidate& c) const;
-  /// The tetrahedron's point is not to be moved: it is weighed again with the point where Table 4 puts it.
+  /// Says that the tetrahedron's new point must stay where Table 4 puts it. Its candidate is evaluated again.
   void leave_point(Index tet);
-  /// Not to be asked again until it changes (reading D18).
+  /// Says that the tetrahedron must not be split until it changes (reading D18).
   void refuse(Index tet);
 
-  /// Splits the candidate's tetrahedron; the number of the first piece.
+  /// Splits the candidate's tetrahedron. Returns the number of the first piece.
   Index apply(const Candidate& c);
-  /// Exchanges tetrahedra (a flip); the number of the first new one.
+  /// Exchanges tetrahedra, for a flip. Returns the number of the first new one.
   Index exchange(std::span<const Index> old, std::span<const Corners> fresh);
 
  private:
   struct Entry {
-    double change;  // of a candidate, or a bound it is not below
+    double change;  // the candidate's change, or a lower bound of it
     Index tet;
-    bool exact;
+    bool exact;                             // false: `change` is a lower bound
     bool operator<(const Entry& o) const {  // std::priority_queue gives the largest first
       return change != o.change ? change > o.change : tet > o.tet;
     }
@@ -96,12 +100,12 @@ class WeightedGrid {
   Triangulation grid_;
   const Weighting& weighting_;
   MapToSurface to_surface_;
-  std::optional<BoundaryFaces> boundary_;  // with a parametric surface only
-  std::unordered_set<Index> left_;         // tetrahedra whose point is not to be moved
-  std::vector<Weight> weights_;            // of each number
+  std::optional<BoundaryFaces> boundary_;  // only with a parametric surface
+  std::unordered_set<Index> left_;         // tetrahedra whose new point must not be moved
+  std::vector<Weight> weights_;            // by the number of the tetrahedron
   CompensatedSum sum_;
-  std::array<Queue, 3> queues_;                     // of splits into 2, 3, 4
-  std::unordered_map<Index, Candidate> evaluated_;  // whose entry is exact
+  std::array<Queue, 3> queues_;                     // for splits into 2, 3 and 4 pieces
+  std::unordered_map<Index, Candidate> evaluated_;  // the candidates whose entries are exact
 };
 
 }  // namespace tetproof::reference

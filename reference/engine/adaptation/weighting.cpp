@@ -33,7 +33,7 @@ Weight Weighting::weigh(const std::array<Eigen::Vector3d, 4>& corners, double di
 }
 
 double Weighting::least_error(double volume, double d, double reach) const {
-  constexpr double slack = 1e-12;  // far above the rounding of the distances and of eq. (3.1)
+  constexpr double slack = 1e-12;  // far above the rounding errors of the distances and of eq. (3.1)
   const double nearest =
       std::max(0.0, (d - reach) * (1 - slack)) * (with_curvature() ? 0.1 : 1) * (1 - slack);
   const double farthest = (d + reach) * (1 + slack);

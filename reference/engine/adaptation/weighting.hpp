@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (v): what a tetrahedron weighs, from the surface vertex closest to its centroid.
+// Step (v): the weight of a tetrahedron, from the surface vertex closest to its centroid.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace tetproof::reference {
 
-/// A tetrahedron as section 3 sees it.
+/// The quantities of section 3 for one tetrahedron.
 struct Weight {
   double d;        ///< eq. (3.2) [length]
   double kappa;    ///< absolute curvature at the closest surface vertex [1/length]; 0 without curvature
   double omega;    ///< eq. (3.6); 1 without curvature
   double volume;   ///< [length^3]
-  double desired;  ///< eq. (3.1) of omega d
-  double error;    ///< eq. (3.3)
+  double desired;  ///< eq. (3.1) at the weighted distance, omega d [length^3]
+  double error;    ///< eq. (3.3) [length^3]
 };
 
-/// The surface's vertices with their curvatures, and the law of volumes.
+/// Computes weights. It holds the surface's vertices, their curvatures, and the law of eq. (3.1).
 class Weighting {
  public:
-  /// Without curvature the distance is not weighted (reading D15).
+  /// `curvature`: whether the distance is weighted by eq. (3.6) (reading D15).
   Weighting(const TriangleSurface& surface, bool curvature);
 
   void set_law(const VolumeLaw& law) { law_ = law; }
@@ -33,15 +33,16 @@ class Weighting {
   double kappa_max() const { return kappa_max_; }
   const std::vector<double>& kappas() const { return kappas_; }
 
-  /// Eq. (3.2). `within`: a distance at which a surface vertex is known to be.
+  /// The distance of eq. (3.2). `within`: a distance within which a surface vertex is known to lie; it saves
+  /// time.
   double distance(const std::array<Eigen::Vector3d, 4>& corners,
                   double within = std::numeric_limits<double>::infinity()) const;
-  /// The rest, from the distance.
+  /// The other quantities, from the distance.
   Weight weigh(const std::array<Eigen::Vector3d, 4>& corners, double distance) const;
 
-  /// No tetrahedron of this volume whose centroid lies within `reach` of a place at distance `d` has a
-  /// smaller error: the distance of eq. (3.2) grows by at most as much as its argument moves, and eq. (3.1)
-  /// is monotone.
+  /// A lower bound of the error of a tetrahedron with this volume whose centroid lies within `reach` of a
+  /// place with distance `d`. It holds because the distance of eq. (3.2) changes by at most as much as the
+  /// place moves, and because eq. (3.1) is monotone.
   double least_error(double volume, double d, double reach) const;
 
  private:

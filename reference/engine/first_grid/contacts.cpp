@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 
@@ -18,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t triangles_a_task = 512;
 
-// Runs work(first, last, result) on slices of the triangles in parallel and joins the results in order.
+// Runs work(first, last, result) on slices of the triangles in parallel. Returns the results in order.
 template <class Result, class Work>
 std::vector<Result> over_triangles(std::size_t triangles, Work work) {
   std::vector<Result> slices((triangles + triangles_a_task - 1) / triangles_a_task);
@@ -28,7 +27,8 @@ std::vector<Result> over_triangles(std::size_t triangles, Work work) {
   return slices;
 }
 
-// Does the line through a and b, which lie on different sides of the triangle, meet the closed triangle?
+// Whether the line through a and b meets the closed triangle. The points a and b lie on different sides of
+// it.
 bool line_meets_triangle(const Triangle& t, const Vector3d& a, const Vector3d& b) {
   const int s0 = orientation(a, b, t[0], t[1]), s1 = orientation(a, b, t[1], t[2]);
   if (s0 * s1 < 0) return false;
@@ -55,43 +55,7 @@ void touch_cell(const Lattice& lattice, const Triangle& t, Index number, const s
   }
 }
 
-Vector3d closest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
-  const Vector3d d = b - a;
-  const double length2 = d.squaredNorm(), t = d.dot(p - a);
-  if (!(t > 0)) return a;
-  return t < length2 ? Vector3d(a + (t / length2) * d) : b;
-}
-
 }  // namespace
-
-bool lexicographically_less(const Vector3d& a, const Vector3d& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
-std::array<Vector3d, 3> sorted_corners(std::array<Vector3d, 3> triangle) {
-  std::sort(triangle.begin(), triangle.end(), lexicographically_less);
-  return triangle;
-}
-
-Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
-  const auto [a, b, c] = sorted_corners(triangle);
-  Vector3d best = closest_on_segment(a, b, p);
-  const auto consider = [&](const Vector3d& q) {
-    const double now = (q - p).squaredNorm(), before = (best - p).squaredNorm();
-    if (now < before || (now == before && lexicographically_less(q, best))) best = q;
-  };
-  consider(closest_on_segment(a, c, p));
-  consider(closest_on_segment(b, c, p));
-  // The foot of the perpendicular, where it falls inside. The edges above are a close second where rounding
-  // sees it wrongly.
-  const Vector3d normal = (b - a).cross(c - a);
-  const auto inside = [&](const Vector3d& u, const Vector3d& v) {
-    return normal.dot((v - u).cross(p - u)) >= 0;
-  };
-  if (normal.squaredNorm() > 0 && inside(a, b) && inside(b, c) && inside(c, a))
-    consider(p - normal * (normal.dot(p - a) / normal.squaredNorm()));
-  return best;
-}
 
 Contacts find_contacts(const Lattice& lattice, const TriangleSurface& surface) {
   const double margin = clipping_error(lattice);
@@ -124,8 +88,8 @@ std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const Triangl
       surface.triangles.size(), [&](std::size_t first, std::size_t last, std::vector<NearVertex>& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
-          // A vertex within the margin is a corner of a cell that is; every vertex is the first corner of its
-          // own cell.
+          // A vertex within the margin is the first corner of its own cell, and that cell is within the
+          // margin too: so the first corners of these cells are all that have to be asked.
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
             const Vertex v = lattice.vertex(i, j, k);
             if (!wanted(v)) return;

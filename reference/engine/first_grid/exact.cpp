@@ -10,8 +10,8 @@ Kernel::Point_3 point(const Eigen::Vector3d& a) {
   return {a.x(), a.y(), a.z()};
 }
 
-// The axis to drop so that the triangle's projection keeps an area: exact, 0 is impossible for a triangle
-// that has one.
+// The axis along which the triangle can be projected so that the projection has an area, decided exactly. -1
+// if there is none: then the triangle has no area either.
 int projection_axis(const std::array<Eigen::Vector3d, 3>& t) {
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -23,10 +23,10 @@ constexpr int first_row_of(std::string_view name) {
 constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5"), case_14 = first_row_of("14");
 
 constexpr std::uint8_t used = 1, surface_point = 2;
-constexpr double tie = 1e-12;  // relative: lengths of two diagonals that differ by rounding (reading D9)
+constexpr double tie = 1e-12;  // relative: two diagonals whose lengths differ by less are equal (reading D9)
 
-// The tetrahedra of one layer of cells. Points are named by lattice vertex, then by number of lattice
-// vertices + number of the cut; a centroid by -1 - its number in the layer.
+// The tetrahedra of one layer of cells. They name their points as follows: a lattice vertex by its number, a
+// cut by (number of lattice vertices) + (number of the cut), a centroid by -1 - (its number in the layer).
 struct Layer {
   std::vector<std::array<Index, 4>> tets;
   std::vector<std::uint32_t> lattice_tet;
@@ -61,7 +61,7 @@ class Extraction {
     Vertex base;
     const std::array<int, 4>* corners;
     SortedVertices sorted;
-    std::array<Index, 11> name;  // of each RowPoint that its row may name
+    std::array<Index, 11> name;  // the name of each RowPoint that its row may use
   };
 
   void cut_layer(int k, Layer& layer) {
@@ -144,8 +144,8 @@ class Extraction {
     return possible[row][p];
   }
 
-  // The name of the cut on one of the tetrahedron's edges: a point of its own, or the end that was 0 before
-  // Table 3 (reading D7).
+  // The name of the cut on one of the tetrahedron's edges. The cut is a new point, or the end of the edge
+  // that was 0 before Table 3 (reading D7).
   Index cut(const LatticeTet& tet, int p) {
     static constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
     const auto [i, e] = ends[p];  // v_i is inside, v_e outside
@@ -180,8 +180,8 @@ class Extraction {
     }
     return from_the_first;
   }
-  // v1 .. v3 ascend in number where their indicators tie, so the lower-numbered end of each diagonal is its
-  // quadrilateral's first.
+  // Vertices with the same indicator are sorted by number. So the lower-numbered interior vertex of each
+  // quadrilateral is its `vi`, and the diagonal of `lowest` starts there.
   static unsigned choose_lowest(int first_row) { return (1u << shared_quads(first_row).size) - 1; }
 
   Vector3d place(Index name) const {

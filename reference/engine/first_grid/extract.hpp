@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (iv): the second triangulation, the part of the lattice that lies inside, by Tables 1 and 2.
+// Step (iv): the second triangulation, which fills the part of the lattice inside the surface, by Tables 1
+// and 2.
 #pragma once
 
 #include <array>
@@ -11,30 +12,34 @@
 
 namespace tetproof::reference {
 
-/// Which diagonal cuts a quadrilateral that two lattice tetrahedra share (reading D9). Lengths that differ by
-/// less than 1e-12, relative, are equal, and decided as `lowest`.
+/// The rule for the diagonal of a quadrilateral that two lattice tetrahedra share (reading D9). `lowest`: the
+/// diagonal that starts at the lower-numbered interior vertex. `shortest`: the shorter diagonal; lengths
+/// whose relative difference is below 1e-12 are equal, and then the rule is `lowest`.
 enum class Diagonals { lowest, shortest };
 
-/// What a point of the grid was made from.
+/// What a point of the grid is.
 enum class Origin : std::uint8_t { lattice_vertex, cut, centroid };
 
 struct Grid {
   TetMesh mesh;
   std::vector<Origin> origins;  ///< of each point
-  std::vector<std::int64_t>
-      sources;  ///< of each point: its lattice vertex, the number of its cut, or its lattice tetrahedron
-  std::vector<std::uint8_t> on_surface;    ///< of each point: is it a surface point in the paper's sense
-  std::vector<std::uint32_t> lattice_tet;  ///< of each tetrahedron: 6 * cell + its place in `kuhn_tets`
+  /// Of each point: the number of its lattice vertex, of its cut, or (for a centroid) of its lattice
+  /// tetrahedron.
+  std::vector<std::int64_t> sources;
+  std::vector<std::uint8_t> on_surface;  ///< of each point: whether it is a surface point of the paper
+  /// Of each tetrahedron: the lattice tetrahedron that it is part of, 6 * cell + position in `kuhn_tets`.
+  std::vector<std::uint32_t> lattice_tet;
   static constexpr std::uint8_t case_5_dropped = 255;
-  std::vector<std::uint8_t> lattice_rows;  ///< of each lattice tetrahedron its row in `tables::table2`, or
-                                           ///< `case_5_dropped` (reading D10)
+  /// Of each lattice tetrahedron: its row in `tables::table2`, or `case_5_dropped` (reading D10).
+  std::vector<std::uint8_t> lattice_rows;
   std::array<std::int64_t, tables::table2.size()> rows{};  ///< how often each row of Table 2 was used
-  std::int64_t collapsed =
-      0;  ///< tetrahedra dropped because a cut at an end point made two of their vertices one (reading D7)
+  /// Tetrahedra left out because a cut at a lattice vertex made two of their vertices the same (reading D7).
+  std::int64_t collapsed = 0;
 };
 
-/// Cuts every lattice tetrahedron. `keep_case_5` says whether a tetrahedron with four vertices on the surface
-/// is kept, from its centroid (reading D10). Numbers of points and tetrahedra as reading D3.
+/// Cuts every lattice tetrahedron by its row of Table 2. `keep_case_5` decides from the centroid whether a
+/// tetrahedron with four vertices on the surface is kept (reading D10). Points and tetrahedra are numbered as
+/// reading D3 says.
 Grid extract(const Lattice& lattice, const Indicators& indicators, const SurfaceVertices& settled,
              Diagonals diagonals, const std::function<bool(const Eigen::Vector3d& centroid)>& keep_case_5);
 

@@ -41,8 +41,8 @@ std::vector<std::int8_t> initial_indicators(std::vector<std::int8_t> inside,
 
 namespace {
 
-// What Table 3 asks of the vertices that are 0: the requests are collected first and then applied at once;
-// one asked for both signs becomes exterior (reading D6).
+// Table 3. Its rows request new indicators of vertices that are 0. All requests are collected first and then
+// applied at once; a vertex that is asked for both signs becomes exterior (reading D6).
 void apply_table3(const Lattice& lattice, const std::vector<EdgeIntersections>& intersections,
                   const SurfaceVertices& settled, Indicators& indicators) {
   const auto& initial = indicators.initial;
@@ -59,7 +59,7 @@ void apply_table3(const Lattice& lattice, const std::vector<EdgeIntersections>& 
     if (initial[vi] == 0) requests.emplace_back(vi, table3[r].new_vi);
     if (initial[vj] == 0) requests.emplace_back(vj, table3[r].new_vj);
   }
-  std::sort(requests.begin(), requests.end());  // for each vertex -1 before +1
+  std::sort(requests.begin(), requests.end());  // for each vertex, -1 comes before +1 and wins
   for (std::size_t q = 0; q < requests.size(); ++q)
     if (q == 0 || requests[q].first != requests[q - 1].first)
       indicators.sign[requests[q].first] = static_cast<std::int8_t>(requests[q].second);

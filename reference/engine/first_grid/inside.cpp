@@ -14,14 +14,14 @@
 namespace tetproof::reference {
 namespace {
 
-// Sign of the projection of the triangle along x: +1 when it runs anticlockwise in (y, z), so that its normal
-// points to +x.
+// The sign of the triangle's projection along x: +1 if its corners run anticlockwise in (y, z), so that its
+// normal points to +x.
 int facing(const Triangle& t) {
   return orientation(t[0].y(), t[0].z(), t[1].y(), t[1].z(), t[2].y(), t[2].z());
 }
 
-// Is (y + epsilon, z + epsilon^2) inside the projected triangle, which runs anticlockwise when `facing` is
-// +1?
+// Whether (y + epsilon, z + epsilon^2) is inside the projected triangle, whose corners run anticlockwise if
+// `facing` is +1.
 bool projection_holds(const Triangle& t, int facing, double y, double z) {
   for (int c = 0; c < 3; ++c) {
     const Eigen::Vector3d &a = t[c], &b = t[(c + 1) % 3];
@@ -32,7 +32,7 @@ bool projection_holds(const Triangle& t, int facing, double y, double z) {
   return true;
 }
 
-// The first i on the line (j, k) whose vertex is not left of the triangle's plane.
+// The first i on the lattice line (j, k) whose vertex does not lie on the -x side of the triangle's plane.
 int first_beyond(const Lattice& lattice, const Triangle& t, int facing, int j, int k) {
   const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double y = lattice.planes[1][j] - t[0].y(), z = lattice.planes[2][k] - t[0].z();
@@ -40,7 +40,8 @@ int first_beyond(const Lattice& lattice, const Triangle& t, int facing, int j, i
   const auto beyond = [&](int i) {
     return facing * orientation(t[0], t[1], t[2], lattice.point(i, j, k)) >= 0;
   };
-  // The guess is off where the triangle is steep; the triangle itself is not, and lies inside the lattice.
+  // The guess may be far off where the triangle is almost parallel to the line. The extent of the triangle,
+  // which lies inside the lattice, bounds it.
   const auto [lo, hi] = ClippedTriangle{{t[0], t[1], t[2]}, 3}.extent(0);
   int i = lattice.cell_of(0, guess > lo ? (guess < hi ? guess : hi) : lo);
   while (i > 0 && beyond(i - 1)) --i;
@@ -51,14 +52,14 @@ int first_beyond(const Lattice& lattice, const Triangle& t, int facing, int j, i
 }  // namespace
 
 std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const TriangleSurface& surface) {
-  // First a 1 where the surface is crossed between a vertex and the one before it, an odd number of times;
-  // then the running parity.
+  // First, `parity` is 1 at a vertex if the surface crosses the line an odd number of times between this
+  // vertex and the one before it. Then a running sum along each line turns this into +1 and -1.
   std::vector<std::int8_t> parity(lattice.vertices(), 0);
   const double margin = clipping_error(lattice);
   tbb::parallel_for(std::size_t{0}, surface.triangles.size(), [&](std::size_t n) {
     const Triangle t = corners(surface, n);
     const int side = facing(t);
-    if (side == 0) return;  // seen edge-on it is never crossed by the moved line
+    if (side == 0) return;  // parallel to x: the moved line never crosses it
     for_each_x_line(lattice, t, margin, [&](int j, int k) {
       if (!projection_holds(t, side, lattice.planes[1][j], lattice.planes[2][k])) return;
       std::atomic_ref(parity[lattice.vertex(first_beyond(lattice, t, side, j, k), j, k)])
@@ -83,7 +84,7 @@ InsideTest::InsideTest(const Lattice& lattice, const TriangleSurface& surface)
   const double margin = clipping_error(lattice);
   std::vector<std::pair<std::int64_t, Index>> entries;  // column, triangle
   for (std::size_t n = 0; n < surface.triangles.size(); ++n) {
-    // Seen along x: the triangle flattened into the first layer of cells.
+    // The triangle is projected along x into the first layer of cells, to find the columns over it.
     Triangle flat = corners(surface, n);
     for (auto& corner : flat) corner.x() = lattice.planes[0].front();
     for_each_cell(lattice, flat, margin, [&](int i, int j, int k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside or outside a closed surface, decided by parity along lines in the x direction, exactly (reading D4).
+// Whether a point is inside or outside a closed surface: decided exactly, by the parity of crossings along
+// lines in the x direction (reading D4).
 #pragma once
 
 #include <cstdint>
@@ -9,13 +10,14 @@
 
 namespace tetproof::reference {
 
-/// For each lattice vertex +1 inside or -1 outside the surface; for a vertex that lies on the surface either.
-/// Whether the ray meets a triangle on its edge or at its corner is settled by moving the line by (epsilon,
-/// epsilon^2) in y and z. Throws std::logic_error when a line leaves the box on the inside: the surface is
-/// not closed.
+/// For each lattice vertex, +1 if it is inside the surface and -1 if it is outside. A vertex on the surface
+/// may get either. Where a line meets an edge or a corner of a triangle, it counts as moved by (epsilon,
+/// epsilon^2) in y and z. Throws std::logic_error if a line is still inside where it leaves the box: then the
+/// surface is not closed.
 std::vector<std::int8_t> inside_by_parity(const Lattice& lattice, const TriangleSurface& surface);
 
-/// Answers for single points of the lattice's box, from the triangles over the cell column around the point.
+/// Tests single points of the lattice's box. It uses only the triangles that meet the column of cells, along
+/// x, that holds the point.
 class InsideTest {
  public:
   InsideTest(const Lattice& lattice, const TriangleSurface& surface);
@@ -25,7 +27,7 @@ class InsideTest {
  private:
   const Lattice* lattice_;
   const TriangleSurface* surface_;
-  std::vector<std::int64_t> first_;  // of each column (j, k) in triangles_
+  std::vector<std::int64_t> first_;  // of each column (j, k), the position in triangles_
   std::vector<Index> triangles_;
 };
 

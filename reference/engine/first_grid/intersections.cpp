@@ -33,17 +33,17 @@ struct Segment {
   Vector3d a, b;  // the edge, from its lower-numbered end
 };
 
-// A place on an edge: t from 0 at its low end to 1 at its high end, with a bound on the error.
+// A place on an edge: t goes from 0 at the low end to 1 at the high end. `error` bounds the error of t.
 struct Place {
   double t, error;
-  double from_high;  // 1 - t, without the cancellation
+  double from_high;  // 1 - t, computed without cancellation
 };
 
-constexpr double largest_error = 1e-12;  // of t, else rational arithmetic decides
+constexpr double largest_error = 1e-12;  // of t; beyond it rational arithmetic is used
 
-// Where the plane of the triangle cuts the edge, whose ends lie on different sides of it: t = D(a) / (D(a) -
-// D(b)) with D(x) = (x-p) . (q-p) x (r-p), in double precision. An error bound of D is 8 roundings' worth of
-// the sum of its terms' magnitudes.
+// The place where the plane of the triangle cuts the edge, in double precision. The ends of the edge lie on
+// different sides of the plane. t = D(a) / (D(a) - D(b)) with D(x) = (x-p) . (q-p) x (r-p). The error of D is
+// at most 8 rounding errors of the sum of the magnitudes of its terms.
 Place place_in_doubles(const Segment& s, const Triangle& sorted) {
   const auto& [p, q, r] = sorted;
   const Vector3d u = q - p, v = r - p;
@@ -74,17 +74,17 @@ Place place(const Segment& s, const Triangle& sorted) {
   return quick.error <= largest_error ? quick : rounded(exact_place(s, sorted));
 }
 
-// From the nearer end, so that a cut beside a vertex keeps its distance to it.
+// The point is computed from the nearer end, so that the distance of a cut to a vertex beside it is accurate.
 Vector3d point_at(const Segment& s, const Place& at) {
   const Vector3d d = s.b - s.a;
   return at.t <= at.from_high ? Vector3d(s.a + at.t * d) : Vector3d(s.b - at.from_high * d);
 }
 
-// A plain crossing of the edge by one triangle.
+// The point where one triangle crosses the edge.
 struct Crossing {
   Triangle sorted;
   Place at;
-  Rational exactly;  // computed when two crossings are too close for doubles
+  Rational exactly;  // t, computed only when two crossings are too close together for doubles
   bool known = false;
 
   const Rational& exact_t(const Segment& s) {
@@ -99,12 +99,12 @@ int compare(Crossing& a, Crossing& b, const Segment& s) {
   return a.exact_t(s).compare(b.exact_t(s));
 }
 
-// The overlap of the edge with a coplanar triangle as an interval of t, or nothing.
+// The overlap of the edge with a coplanar triangle, as an interval of t; nothing if they do not meet.
 std::optional<std::array<Rational, 2>> overlap(const Segment& s, const Triangle& t) {
   const RationalVector a = exact(s.a), d = exact(s.b) - a;
   const RationalVector corner[3] = {exact(t[0]), exact(t[1]), exact(t[2])};
-  // In the projection that keeps the triangle's area, it is the intersection of three half-planes: side(x) *
-  // area >= 0.
+  // In a projection in which the triangle has an area, it is the intersection of three half-planes,
+  // side(x) * area >= 0.
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto cross = [&](const RationalVector& x, const RationalVector& y) {
@@ -133,7 +133,8 @@ std::optional<std::array<Rational, 2>> overlap(const Segment& s, const Triangle&
 
 using Hits = std::vector<EdgeHit>::const_iterator;
 
-// The general case: points and overlaps as closed intervals, united, their ends inside (0,1) counted.
+// The general case. Points and overlaps are closed intervals; they are united, and the ends of the united
+// intervals that lie inside (0,1) are counted.
 EdgeIntersections unite(const Segment& s, const TriangleSurface& surface, Hits first, Hits last) {
   std::vector<std::array<Rational, 2>> intervals;
   for (Hits hit = first; hit != last; ++hit) {
@@ -163,8 +164,8 @@ EdgeIntersections unite(const Segment& s, const TriangleSurface& surface, Hits f
           point_at(s, rounded(points.back()))};
 }
 
-// Crossings only. Of several triangles through one point, the one whose sorted coordinates are smallest gives
-// its coordinates.
+// The case without overlaps. If several triangles cross the edge in one point, the coordinates of this point
+// are computed from the triangle whose sorted coordinates are smallest.
 EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits first, Hits last) {
   std::vector<Crossing> crossings;
   for (Hits hit = first; hit != last; ++hit) {

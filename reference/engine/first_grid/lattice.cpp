@@ -33,7 +33,8 @@ Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, d
     for (const Index v : triangle) box.extend(surface.vertices[v]);
   if (box.isEmpty()) throw InputError("the surface has no triangles");
   const double longest = (box.max() - box.min()).maxCoeff();
-  if (!(longest >= 1e-90 && longest <= 1e90))  // volumes and squared areas stay clear of over- and underflow
+  if (!(longest >= 1e-90 &&
+        longest <= 1e90))  // so that volumes and squared areas neither over- nor underflow
     throw InputError(
         fmt::format("the longest side of the surface's box is {:.7g}, expected 1e-90 to 1e90", longest));
   const Eigen::Vector3d centre = 0.5 * (box.min() + box.max());

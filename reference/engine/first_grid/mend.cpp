@@ -29,7 +29,7 @@ std::vector<Index> not_positive(const TetMesh& mesh) {
 std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleSurface& surface,
                                          const Indicators& indicators, const SurfaceVertices& settled,
                                          const Grid& grid, const std::vector<Index>& tets) {
-  std::map<Vertex, double> chosen;  // with the length of the cut
+  std::map<Vertex, double> chosen;  // the vertex, and the length from it to its cut
   double longest = 0;
   for (const Index t : tets) {
     const std::uint32_t number = grid.lattice_tet[t];
@@ -55,8 +55,8 @@ std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleS
     longest = std::max(longest, shortest);
   }
   if (chosen.empty()) return {};
-  // The surface is at most a cut's length away; a cut that rounding put on the vertex itself still deserves a
-  // search around it.
+  // A vertex is at most the length to its cut away from the surface. Rounding may have put the cut on the
+  // vertex itself, so the radius must not be 0.
   const double radius = std::max(2 * longest, 1e-6 * lattice.shortest_edge);
   return find_near_vertices(lattice, surface, radius, [&](Vertex v) { return chosen.contains(v); });
 }

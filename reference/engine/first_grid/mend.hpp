@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reading D4 does where rounding has inverted a tetrahedron: the lattice vertex at its shortest cut goes
-// to the surface.
+// Mending of tetrahedra that rounding has inverted: the lattice vertex nearest to the shortest cut is moved
+// to the surface (reading D4).
 #pragma once
 
 #include <vector>
@@ -12,8 +12,9 @@ namespace tetproof::reference {
 /// The tetrahedra that are not exactly positive, ascending.
 std::vector<Index> not_positive(const TetMesh& mesh);
 
-/// For each of these tetrahedra the lattice vertex nearest to the shortest cut of its lattice tetrahedron,
-/// with the closest point of the surface, ascending.
+/// For each tetrahedron of `tets`: the lattice vertex nearest to the shortest cut of its lattice tetrahedron,
+/// with its closest point of the surface. Ascending, each vertex once; without those that are settled
+/// already.
 std::vector<NearVertex> vertices_to_mend(const Lattice& lattice, const TriangleSurface& surface,
                                          const Indicators& indicators, const SurfaceVertices& settled,
                                          const Grid& grid, const std::vector<Index>& tets);

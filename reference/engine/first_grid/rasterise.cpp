@@ -4,7 +4,8 @@
 namespace tetproof::reference {
 namespace {
 
-// Sutherland and Hodgman's step: what of the polygon has side * coordinate <= side * bound.
+// One step of Sutherland and Hodgman's clipping: the part of the polygon where side * coordinate <= side *
+// bound.
 ClippedTriangle clip(const ClippedTriangle& polygon, int axis, double side, double bound) {
   ClippedTriangle kept{{}, 0};
   for (int c = 0; c < polygon.size; ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lattice cells and lattice lines a triangle can touch: a superset, found in time that grows with its
-// size.
+// The lattice cells and lattice lines that a triangle can touch, and a few more. They are found in time that
+// grows with the size of the triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,13 +19,13 @@ inline Triangle corners(const TriangleSurface& surface, std::size_t t) {
   return {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
 }
 
-/// A convex polygon: a triangle clipped by at most four planes (7 corners; rounding may dent it, hence the
-/// room).
+/// A convex polygon: a triangle clipped by at most four planes, which has at most 7 corners. Rounding can
+/// make it slightly concave and give it more, so there is room for 16.
 struct ClippedTriangle {
   std::array<Eigen::Vector3d, 16> corners;
   int size;
 
-  /// The part with lo <= coordinate <= hi along `axis`, corners rounded.
+  /// The part with lo <= coordinate <= hi along `axis`. Its corners are rounded.
   ClippedTriangle between(int axis, double lo, double hi) const;
   std::array<double, 2> extent(int axis) const {
     std::array<double, 2> e{corners[0][axis], corners[0][axis]};
@@ -34,9 +34,9 @@ struct ClippedTriangle {
   }
 };
 
-/// More than the rounding of any clipped corner: clipping interpolates twice between the corners of a
-/// triangle inside the lattice, with a few rounding errors each, of at most 2^-52 times the largest
-/// coordinate.
+/// An upper bound of the error of any clipped corner [length]. Clipping interpolates twice between the
+/// corners of a triangle inside the lattice, each time with a few rounding errors of at most 2^-52 times the
+/// largest coordinate.
 inline double clipping_error(const Lattice& lattice) {
   double largest = 0;
   for (const auto& plane : lattice.planes)
@@ -44,9 +44,9 @@ inline double clipping_error(const Lattice& lattice) {
   return 64 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Calls visit(i, j, k) for every cell whose closed box comes within `margin` of the triangle, and for some
-/// more beside it. Cells count from 0 to n inclusive along each axis: cell n stands for what lies on the last
-/// lattice plane.
+/// Calls visit(i, j, k) for every cell whose closed box comes within `margin` of the triangle, and for a few
+/// cells beside these. Cells are numbered from 0 to n, inclusive, along each axis: cell n is the last lattice
+/// plane.
 template <class Visit>
 void for_each_cell(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
   const auto range = [&](const ClippedTriangle& part, int axis) {
@@ -74,7 +74,7 @@ void for_each_cell(const Lattice& lattice, const Triangle& triangle, double marg
 }
 
 /// Calls visit(j, k) for every lattice line along x that comes within `margin` of the triangle's projection
-/// along x, and some more.
+/// along x, and for a few more.
 template <class Visit>
 void for_each_x_line(const Lattice& lattice, const Triangle& triangle, double margin, Visit visit) {
   const ClippedTriangle whole{{triangle[0], triangle[1], triangle[2]}, 3};

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t rows = table2.size();
 
-// The tetrahedron v1 = 0, v2 = 12 e1, v3 = 12 e2, v4 = 12 e3, with cuts at midpoints, in integers: (0,0,0) is
-// shared, 12 divides by 2 and 6.
+// The tetrahedron v1 = 0, v2 = 12 e1, v3 = 12 e2, v4 = 12 e3 with its cuts at midpoints. All points are
+// integers, because 12 is a multiple of 2 and of 6.
 using Point = std::array<int, 3>;
 constexpr Point place(RowPoint p) {
   constexpr std::array<Point, 4> v{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}};
@@ -51,7 +51,7 @@ constexpr auto orientations = [] {
   return signs;
 }();
 
-constexpr RowPoint cut(int i, int e) {  // p_ie for i < e
+constexpr RowPoint cut(int i, int e) {  // p_ie; i < e
   constexpr std::array<std::array<int, 4>, 4> number{{{0, 0, 1, 2}, {0, 0, 3, 4}, {0, 0, 0, 5}, {}}};
   return static_cast<RowPoint>(p12 + number[i][e]);
 }
@@ -109,7 +109,8 @@ constexpr Choices choices = [] {
 
 constexpr SortedVertices sorted(std::array<std::int8_t, 4> s) {
   SortedVertices result{{0, 1, 2, 3}, 1, 0};
-  for (int pass = 0; pass < 3; ++pass)  // bubble sort keeps ties in place, and each exchange flips the sign
+  // Bubble sort keeps equal ones in order, and each exchange changes the sign.
+  for (int pass = 0; pass < 3; ++pass)
     for (int a = 0; a < 3; ++a)
       if (s[a] < s[a + 1]) {
         std::swap(s[a], s[a + 1]);

@@ -47,7 +47,8 @@ TEST(Spec, ErrorsAreOneLineThatSaysWhatToDo) {
       {"wing:naca=12", "wing:naca=12: naca: expected four digits, found '12'"},
       {"wing:naca=00120", "wing:naca=00120: naca: expected four digits, found '00120'"},
       {"wing:naca=2012",
-       "wing:naca=2012: naca: expected a place of the camber (second digit) of 1 to 9, as the first digit is "
+       "wing:naca=2012: naca: expected a position of the camber (second digit) of 1 to 9, because the first "
+       "digit is "
        "not 0"},
       {"wing:naca=0000", "wing:naca=0000: naca: expected a thickness (last two digits) of 01 to 50"},
       {"wing:naca=9150", "wing:naca=9150: naca: too thick for its camber, the section folds over itself"},

@@ -14,7 +14,7 @@ namespace {
 
 struct Part {
   std::string spec;
-  double scale = 1;  // about the star's centre; exact
+  double scale = 1;  // about the origin; exact
   bool inward = false;
 };
 
@@ -23,7 +23,7 @@ struct Recipe {
   bool inward = false;
 };
 
-// A star whose radius is within 1 - roughness and 1 + roughness.
+// The specification of a star whose radius is between 1 - roughness and 1 + roughness.
 std::string star(Random& random, double roughness, int most_frequency, double x) {
   const int f = 1 + random.below(most_frequency);
   return fmt::format("random:seed={},n={},roughness={},waves={},x={},y={},z={}", random.below(1 << 30),
@@ -40,8 +40,8 @@ Recipe recipe(std::uint64_t seed) {
       recipe.parts.push_back({star(random, random.between(0, 0.9), 10, random.between(-0.1, 0.1))});
       break;
     case 2: {
-      // Copies of one star about one centre, each half as large: triangle by triangle the inner lies within
-      // the outer.
+      // Copies of one star about one centre, each half as large as the one before, so that every triangle of
+      // an inner copy lies within the corresponding triangle of the outer one, seen from the centre.
       const int f = 2 + random.below(5), shells = 2 + random.below(2);
       const std::string spec = fmt::format("random:seed={},n={},roughness={}", random.below(1 << 30),
                                            8 * f * f, random.between(0, 0.8));
