@@ -2,24 +2,22 @@
 // The table of formats: who reads and who writes each of them.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/mesh_files.hpp"
 
 namespace tetproof::io {
 
-// A format, and who reads and writes it.
+/// A format, who reads it, and who plans how to write it.
 struct Codec {
   Format format;
   Document (*read)(const std::string& path);
-  /// `supplement`: lines that the file keeps aside, for formats whose Holds say where.
-  void (*write)(const std::string& path, const Document&, bool binary, const std::string& supplement);
-  Holds (*holds)(const std::string& path, const Document&, bool binary);
-  /// See `write_warning`; null: never any.
-  std::string (*warning)(const std::string& path, const Document&, bool binary) = nullptr;
+  /// `binary`: which of the two encodings. The plan refers to the document.
+  std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
 };
 
 /// All formats, in the order of `formats()`.

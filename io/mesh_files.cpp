@@ -10,9 +10,7 @@
 #include "io/codecs.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"
-#include "io/loss/holds.hpp"
 #include "io/msh/msh.hpp"
-#include "io/supplement/supplement.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof {
@@ -95,23 +93,6 @@ Document read_document(const std::string& path) {
                     ending_of(path).empty() ? "no ending" : "unknown ending", fmt::join(known_endings(), " "),
                     fmt::join(through_gmsh, " ")));
   return io::read_surface_document(file, io::Wanted::document).document;
-}
-
-io::Holds io::holds_of(const std::string& path, const Document& document, const WriteOptions& options) {
-  const auto [format, binary] = encoding_of(path, options);
-  return io::codec_named(format).holds(path, document, binary);
-}
-
-void write_document(const std::string& path, const Document& document, const WriteOptions& options) {
-  const auto [format, binary] = encoding_of(path, options);
-  const io::Codec& codec = io::codec_named(format);
-  codec.write(path, document, binary, io::supplement_of(document, codec.holds(path, document, binary)));
-}
-
-std::string write_warning(const std::string& path, const Document& document, const WriteOptions& options) {
-  const auto [format, binary] = encoding_of(path, options);
-  const io::Codec& codec = io::codec_named(format);
-  return codec.warning ? codec.warning(path, document, binary) : "";
 }
 
 }  // namespace tetproof

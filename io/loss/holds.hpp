@@ -79,9 +79,6 @@ struct Holds {
 /// a view.
 bool has_step(const Values& values);
 
-/// What the format of a file to be written holds of `document`.
-Holds holds_of(const std::string& path, const Document& document, const WriteOptions& options);
-
 /// What is not held, item by item.
 std::vector<Loss> unheld(const Document& document, const Holds& holds);
 

@@ -56,4 +56,8 @@ void find_losses_of_mesh(const Document& document, const Holds& holds, const Wri
 void find_losses_of_entities(const Document& document, const Holds& holds, const WrittenPart& written,
                              std::vector<Loss>& losses);
 
+/// Values, what is to be meshed, tables, the title and sections.
+void find_losses_of_values(const Document& document, const Holds& holds, const WrittenPart& written,
+                           std::vector<Loss>& losses);
+
 }  // namespace tetproof::io

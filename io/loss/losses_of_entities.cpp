@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/loss/loss_finder.hpp"
-#include "io/msh/msh_entities.hpp"
+#include "io/model/entities.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -44,8 +44,8 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
   };
   if (!std::any_of(document.node_blocks.begin(), document.node_blocks.end(), parametric)) return limits;
   // As they are written: nodes of no block are given to one.
-  const std::vector<NodeBlock> written = plan_entities(document, false).node_blocks;
-  limits.parametric = std::all_of(written.begin(), written.end(), complete);
+  limits.node_blocks = plan_entities(document).node_blocks;
+  limits.parametric = std::all_of(limits.node_blocks.begin(), limits.node_blocks.end(), complete);
   return limits;
 }
 

@@ -16,6 +16,7 @@ struct Msh22Limits {
   std::int64_t first_unknown = 0;  ///< when renumbering: the number of `Document::unknown[0]`; counts up
   std::int64_t first_copy = 1;     ///< the tag of the first copy of an element in several groups; counts up
   std::size_t copies = 0;
+  std::vector<NodeBlock> node_blocks{};  ///< covering all nodes, in order; set only if some have parameters
 };
 Msh22Limits msh22_limits(const Document& document, bool binary);
 

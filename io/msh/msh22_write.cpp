@@ -6,7 +6,7 @@
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh22_limits.hpp"
-#include "io/msh/msh_entities.hpp"
+#include "io/msh/msh_plan.hpp"
 #include "io/msh/msh_write.hpp"
 
 namespace tetproof::io {
@@ -15,11 +15,11 @@ namespace {
 template <bool Binary>
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document)
+  Writer(AtomicFile& file, const Document& document, const Msh22Limits& limits, const Holds& holds)
       : file_(file),
         document_(document),
-        holds_(msh_holds(document, "msh22", Binary)),
-        limits_(msh22_limits(document, Binary)),
+        holds_(holds),
+        limits_(limits),
         tags_{&document, limits_.renumber, limits_.first_unknown} {
     for (const ElementBlock& block : document.blocks)
       if (holds_.nodes_each(block) > 0 && block.count > 0) {
@@ -54,7 +54,7 @@ class Writer {
 
   void parametric_nodes() {
     file_.write(fmt::format("$ParametricNodes\n{}\n", document_.points.size()));
-    for (const NodeBlock& block : plan_entities(document_).node_blocks) {
+    for (const NodeBlock& block : limits_.node_blocks) {
       const int each = std::min(block.parameters_each, block.dim < 3 ? block.dim : 0);
       write_items(file_, block.count, (6 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
         Putter<Binary> out{to};
@@ -157,17 +157,34 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const Holds holds_;
-  const Msh22Limits limits_;
+  const Holds& holds_;
+  const Msh22Limits& limits_;
   const MshTags tags_;
   std::vector<const ElementBlock*> blocks_;  // those that are written
   std::size_t elements_ = 0;
 };
 
+class Msh22FilePlan : public MshFilePlan {
+ public:
+  Msh22FilePlan(const Document& document, bool binary)
+      : MshFilePlan(document), limits_(msh22_limits(document, binary)), binary_(binary) {
+    holds_ = msh22_holds(document, limits_, binary);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override {
+    binary_ ? Writer<true>(file, document_, limits_, holds_).write()
+            : Writer<false>(file, document_, limits_, holds_).write();
+  }
+
+  const Msh22Limits limits_;
+  const bool binary_;
+};
+
 }  // namespace
 
-void write_msh22(AtomicFile& file, const Document& document, bool binary) {
-  binary ? Writer<true>(file, document).write() : Writer<false>(file, document).write();
+std::unique_ptr<FilePlan> plan_msh22(const Document& document, bool binary) {
+  return std::make_unique<Msh22FilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

@@ -11,6 +11,7 @@
 
 #include "io/bytes/text_output.hpp"
 #include "io/document.hpp"
+#include "io/file_plan.hpp"
 #include "io/loss/holds.hpp"
 #include "io/msh/msh.hpp"
 
@@ -49,9 +50,15 @@ struct MshTags {
 void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, const std::string& format,
                     bool binary);
 
-/// Whether elements of this block can be written: of types that Gmsh's list does not say the nodes of, only
-/// as text, and but for polygons and polyhedra only in the version that they came in.
-bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary);
+/// A plan of one .msh file, with the supplement in a section of its own at the end.
+class MshFilePlan : public FilePlan {
+ public:
+  using FilePlan::FilePlan;
+  void write(const std::string& path, const std::string& supplement) final;
+
+ private:
+  virtual void write_into(AtomicFile& file) = 0;
+};
 
 template <class T>
 char* put_raw(char* to, T value) {

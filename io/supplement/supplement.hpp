@@ -20,7 +20,8 @@ struct Checksum {
 };
 
 /// Lines of printable ASCII without `$` and `#`, none longer than 1000 bytes, each ending in LF: everything
-/// that `holds` says the native part lacks. Empty if it lacks nothing.
+/// that `holds` says the native part lacks, and what puts it back in its place. To be asked for only if
+/// `unheld` in io/loss/holds.hpp lists something.
 std::string supplement_of(const Document& document, const Holds& holds);
 
 /// The line in front of them.

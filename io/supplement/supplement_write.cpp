@@ -116,7 +116,6 @@ void put_all_values(Encoder& out, std::string_view name, const std::vector<Value
 }  // namespace
 
 std::string supplement_of(const Document& document, const Holds& holds) {
-  if (holds.kept_in.empty() || unheld(document, holds).empty()) return {};
   Encoder out;
   std::vector<std::int64_t> written(document.unknown.size());
   for (std::size_t k = 0; k < written.size(); ++k)

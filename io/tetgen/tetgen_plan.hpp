@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a document stands in which of TetGen's files: the writers and what they say they hold come from it
-// alone.
+// Plans which TetGen file stores which part of a document. The writers and the list of what is held share
+// this plan.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "io/document.hpp"
+#include "io/loss/holds.hpp"
 
 namespace tetproof::io {
 
@@ -46,7 +47,12 @@ struct TetgenPlan {
 std::int64_t first_group(const Document&, const ElementBlock&);
 /// The number that is written for `Document::unknown[k]`.
 std::int64_t tetgen_unknown(const Document&, std::int64_t base, std::size_t k);
+
+/// The plan of .node, .ele and the other files of a mesh, and what these hold.
 TetgenPlan tetgen_mesh_plan(const Document&);
+Holds tetgen_mesh_holds(const Document&, const TetgenPlan&);
+/// The plan of a .poly or .smesh and the files beside it, and what these hold.
 TetgenPlan tetgen_plc_plan(const Document&);
+Holds tetgen_plc_holds(const Document&, const TetgenPlan&, bool smesh);
 
 }  // namespace tetproof::io

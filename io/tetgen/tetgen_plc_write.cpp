@@ -122,22 +122,45 @@ void write_plc(const TetgenPath& set, const Document& document, const TetgenPlan
   files.commit();
 }
 
+class PlcFilePlan : public FilePlan {
+ public:
+  PlcFilePlan(const Document& document, const char* format)
+      : FilePlan(document), format_(format), plan_(tetgen_plc_plan(document)) {
+    holds_ = tetgen_plc_holds(document, plan_, format_ == "smesh");
+  }
+  std::string warning(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, format_);
+    std::vector<std::string> written, read{".edge", ".mtr", ".var"};
+    if (plan_.edges.count > 0) written.push_back(".edge");
+    if (plan_.sizes) written.push_back(".mtr");
+    if (plan_.bounds) written.push_back(".var");
+    if (set.ending == ".smesh") read.push_back(".poly");
+    return tetgen_left_over(set, written, read);
+  }
+  void write(const std::string& path, const std::string& supplement) override {
+    if (format_ == "smesh" && !plan_.facets.empty()) {
+      const Facet& facet = document_.facets[plan_.facets[0]];
+      throw InputError(fmt::format(
+          "{}: cannot write it: a facet of {} polygons and {} holes (element {}) has no place in a "
+          ".smesh; write a .poly",
+          path, facet.polygons, facet.holes.size(), document_.element_tag(facet.first)));
+    }
+    write_plc(tetgen_path_to_write(path, format_), document_, plan_, supplement);
+  }
+
+ private:
+  const std::string format_;  // "poly" or "smesh"
+  const TetgenPlan plan_;
+};
+
 }  // namespace
 
-void write_poly(const std::string& path, const Document& document, const std::string& supplement) {
-  write_plc(tetgen_path_to_write(path, "poly"), document, tetgen_plc_plan(document), supplement);
+std::unique_ptr<FilePlan> plan_poly(const Document& document, bool) {
+  return std::make_unique<PlcFilePlan>(document, "poly");
 }
 
-void write_smesh(const std::string& path, const Document& document, const std::string& supplement) {
-  const TetgenPlan plan = tetgen_plc_plan(document);
-  if (!plan.facets.empty()) {
-    const Facet& facet = document.facets[plan.facets[0]];
-    throw InputError(
-        fmt::format("{}: cannot write it: a facet of {} polygons and {} holes (element {}) has no place in a "
-                    ".smesh; write a .poly",
-                    path, facet.polygons, facet.holes.size(), document.element_tag(facet.first)));
-  }
-  write_plc(tetgen_path_to_write(path, "smesh"), document, plan, supplement);
+std::unique_ptr<FilePlan> plan_smesh(const Document& document, bool) {
+  return std::make_unique<PlcFilePlan>(document, "smesh");
 }
 
 }  // namespace tetproof::io

@@ -140,8 +140,20 @@ void write_tetgen_fields(TetgenFiles& files, const Document& document, const Tet
   });
 }
 
-void write_tetgen(const std::string& path, const Document& document, const std::string& supplement) {
-  const TetgenPlan plan = tetgen_mesh_plan(document);
+std::string tetgen_left_over(const TetgenPath& set, const std::vector<std::string>& written,
+                             const std::vector<std::string>& read) {
+  std::vector<std::string> left;
+  for (const std::string& ending : read)
+    if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));
+  if (left.empty()) return {};
+  return fmt::format("{}: {} not written, but will be read together with it", fmt::join(left, ", "),
+                     left.size() == 1 ? "is there already and is" : "are there already and are");
+}
+
+namespace {
+
+void write_mesh(const std::string& path, const Document& document, const TetgenPlan& plan,
+                const std::string& supplement) {
   const TetgenPath set = tetgen_path_to_write(path, "tetgen");
   const std::vector<std::string> endings = endings_of(plan, set.ending);
   if (!set.ending.empty() && !is_among(endings, set.ending))
@@ -177,26 +189,29 @@ void write_tetgen(const std::string& path, const Document& document, const std::
   files.commit();
 }
 
-std::string tetgen_left_over(const std::string& path, const Document& document, const std::string& format) {
-  const TetgenPath set = tetgen_path_to_write(path, format);
-  std::vector<std::string> written, read;
-  if (set.is_plc()) {
-    const TetgenPlan plan = tetgen_plc_plan(document);
-    if (plan.edges.count > 0) written.push_back(".edge");
-    if (plan.sizes) written.push_back(".mtr");
-    if (plan.bounds) written.push_back(".var");
-    read = {".edge", ".mtr", ".var"};
-    if (set.ending == ".smesh") read.push_back(".poly");
-  } else {
-    written = endings_of(tetgen_mesh_plan(document), set.ending);
-    read = {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"};
+class MeshFilePlan : public FilePlan {
+ public:
+  explicit MeshFilePlan(const Document& document) : FilePlan(document), plan_(tetgen_mesh_plan(document)) {
+    holds_ = tetgen_mesh_holds(document, plan_);
   }
-  std::vector<std::string> left;
-  for (const std::string& ending : read)
-    if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));
-  if (left.empty()) return {};
-  return fmt::format("{}: {} not written, but will be read together with it", fmt::join(left, ", "),
-                     left.size() == 1 ? "is there already and is" : "are there already and are");
+  std::string warning(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, "tetgen");
+    return tetgen_left_over(
+        set, endings_of(plan_, set.ending),
+        {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"});
+  }
+  void write(const std::string& path, const std::string& supplement) override {
+    write_mesh(path, document_, plan_, supplement);
+  }
+
+ private:
+  const TetgenPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<FilePlan> plan_tetgen(const Document& document, bool) {
+  return std::make_unique<MeshFilePlan>(document);
 }
 
 }  // namespace tetproof::io

@@ -50,6 +50,12 @@ void write_tetgen_nodes(AtomicFile&, const Document&, const TetgenPlan&);
 void write_tetgen_edges(AtomicFile&, const Document&, const TetgenPlan&);
 /// .mtr and .var, where there is something for them.
 void write_tetgen_fields(TetgenFiles&, const Document&, const TetgenPlan&);
+/// .v.node, .v.edge, .v.face and .v.cell.
 void write_tetgen_voronoi(TetgenFiles&, const Voronoi&);
+
+/// A warning of files of the set that are there already and are not among those `written`, but that our
+/// reader and TetGen `read` together with them; empty: there are none.
+std::string tetgen_left_over(const TetgenPath& set, const std::vector<std::string>& written,
+                             const std::vector<std::string>& read);
 
 }  // namespace tetproof::io

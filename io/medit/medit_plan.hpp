@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a document goes where in Medit's files: the writer and what it says that it holds go by the same.
+// Plans which keyword of Medit's files stores which part of a document. The writer and the list of what is
+// held share this plan.
 #pragma once
 
-#include <string>
+#include <array>
+#include <vector>
 
 #include "io/document.hpp"
+#include "io/loss/holds.hpp"
 #include "io/medit/medit_keywords.hpp"
 
 namespace tetproof::io {
@@ -16,15 +19,10 @@ struct MeditPlace {
 };
 MeditPlace medit_place(const ElementBlock& block);
 
-/// Whether numbers that no node or element has still have none when these count up from 1.
-bool medit_numbers_stay(const Document& document);
-
 /// The reference of a block's elements: its first group, 0 for none.
 std::int64_t medit_reference(const Document& document, const ElementBlock& block);
 
-/// The values that nodes have as references; null: none.
-const Values* medit_references(const Document& document);
-/// Whether text can say these, which are no integers, and they are read as they are.
+/// Whether references are no integers, but such reals as the text form can say and our reader takes back.
 bool are_real_medit_references(const Values& values);
 inline constexpr double largest_medit_real_reference = 9e15;
 
@@ -33,5 +31,15 @@ bool is_medit_mark(const Values& values, bool of_nodes);
 
 /// Whether a section is written: one that the reader takes back as it is.
 bool writes_medit_section(const Section& section, bool binary);
+
+struct MeditPlan {
+  /// Whether numbers in `Document::unknown` still name nothing when nodes and elements count up from 1.
+  bool numbers_stay = false;
+  const Values* references = nullptr;  ///< the values that nodes have as references; null: none
+  /// The blocks under each keyword of `medit_elements()`.
+  std::array<std::vector<const ElementBlock*>, 16> lists{};
+};
+MeditPlan medit_plan(const Document& document);
+Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary);
 
 }  // namespace tetproof::io
