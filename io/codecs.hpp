@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of formats: who reads and who writes each of them.
+// The table of formats: for each, who reads it and who plans how to write it.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace tetproof::io {
 
-/// A format, who reads it, and who plans how to write it.
+/// A format with its reader and its planner.
 struct Codec {
   Format format;
   Document (*read)(const std::string& path);
-  /// `binary`: which of the two encodings. The plan refers to the document.
+  /// `binary`: the encoding, which must be one that the format has. The plan refers to the document.
   std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
 };
 
 /// All formats, in the order of `formats()`.
 const std::vector<Codec>& codecs();
-/// The one called `name`, which is a name of `formats()`.
+/// Returns the codec called `name`, which must be a name of `formats()`.
 const Codec& codec_named(const std::string& name);
 
 }  // namespace tetproof::io

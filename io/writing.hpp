@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conversion of one document to one file: everything that can be asked before it is written, and the
-// writing itself.
+// The conversion of one document to one file: the questions that can be asked before writing, and the
+// writing.
 #pragma once
 
 #include <memory>
@@ -18,14 +18,14 @@ namespace io {
 class FilePlan;
 }
 
-/// A document that is going to be written to `path`. Answers are computed when they are first asked for, and
-/// once: whoever asks several questions about one conversion saves time against `losses`, `kept_aside`,
-/// `write_warning` and `write_document`, each of which makes a PlannedFile of its own.
+/// A document that is going to be written to `path`. Each answer is computed when it is first asked for, and
+/// only once. `losses`, `kept_aside`, `write_warning` and `write_document` each make a PlannedFile of their
+/// own, so a program that needs several of these answers saves time with one PlannedFile.
 ///
-/// The document is referred to, not copied: it must outlive the PlannedFile and must not change meanwhile.
+/// The document is referred to, not copied: it must outlive the PlannedFile and must not change until then.
 class PlannedFile {
  public:
-  /// InputError as `encoding_of` throws it; touches no file.
+  /// InputError as `encoding_of` throws it. Touches no file.
   PlannedFile(std::string path, const Document& document, const WriteOptions& options = {});
   PlannedFile(std::string path, const Document&& document, const WriteOptions& options = {}) = delete;
   ~PlannedFile();
@@ -38,7 +38,7 @@ class PlannedFile {
   const std::vector<Loss>& losses();
   /// See `kept_aside` in io/losses.hpp.
   const KeptAside& kept_aside();
-  /// See `write_warning` in io/mesh_files.hpp. Looks for files that are there when it is first called.
+  /// See `write_warning` in io/mesh_files.hpp. The first call looks for old files.
   const std::string& warning();
 
   /// Writes the document whole or not at all, as `write_document` in io/mesh_files.hpp does.

@@ -8,7 +8,7 @@
 namespace tetproof::io {
 namespace {
 
-// Values, what is to be meshed, and what has no other place.
+// Losses of values, of the description of what to mesh, of tables, of the title and of sections.
 class ValueLosses : LossFinder {
  public:
   using LossFinder::LossFinder;
@@ -53,7 +53,7 @@ class ValueLosses : LossFinder {
           fmt::format("{} of time {}, step {}", name, values.time, values.step));
   }
 
-  // What TetGen's .poly says of the body to mesh.
+  // The description of the body to mesh, as TetGen's .poly has it.
   void boundary() {
     if (!holds_.boundary)
       each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
@@ -90,7 +90,7 @@ class ValueLosses : LossFinder {
           voronoi.points.size() + voronoi.edges.size() + voronoi.faces.size() + voronoi.cells.size(),
           fmt::format("{} points", voronoi.points.size()));
     for (const Table& table : document_.tables)
-      if (holds_.table ? !holds_.table(table) : !holds_.tables)
+      if (!holds_.table(table))
         add(fmt::format("table \"{}\"", table.name), 1, fmt::format("{} rows", table.rows));
     if (!holds_.title && !document_.title.empty()) add("title", 1, document_.title);
     for (const Section& section : document_.sections)

@@ -9,7 +9,7 @@
 namespace tetproof::io {
 namespace {
 
-// Whether the text reader takes `body` back as it is.
+// Whether the text reader reads `body` back as it is.
 bool is_plain_body(const std::string& body) {
   constexpr const char* blanks = " \t\r\n\v\f";
   if (body.find('\0') != std::string::npos) return false;
@@ -23,13 +23,14 @@ bool is_plain_body(const std::string& body) {
   return true;
 }
 
-// Whether the reader takes what stands under `name` for a section, and for nothing else.
+// Whether the reader takes a keyword called `name` for a section, and for nothing else.
 bool is_plain_name(const std::string& name) {
   return looks_like_medit_keyword(name) && name != "End" && name != "MeshVersionFormatted" &&
          name != "Dimension" && name != "Vertices" && !name.ends_with("Ordering") && !medit_mark(name);
 }
 
-// Whether no item of `all` in front of `one` has the same name, as the first of a name is written.
+// Whether no item of `all` before `one` is written under the same name. Of several with one name, only the
+// first is written.
 template <class Named, class IsWritten>
 bool is_first_of_name(const std::vector<Named>& all, const Named& one, const IsWritten& is_written) {
   for (const Named& before : all) {
@@ -39,7 +40,7 @@ bool is_first_of_name(const std::vector<Named>& all, const Named& one, const IsW
   return true;
 }
 
-// They are dropped where all are 0.
+// The reader drops references that are all 0.
 bool references_come_back(const Values& values, bool binary) {
   if (values.reals.empty())
     return std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t r) { return r != 0; });
@@ -53,7 +54,7 @@ bool mark_comes_back(const Document& document, bool numbers_stay, const Values& 
   if (!numbers_stay && std::any_of(values.at.begin(), values.at.end(), [](Index at) { return at < 0; }))
     return false;
   if (of_nodes) return true;
-  // All of the type that the keyword is for.
+  // All marked elements must be of the type that the keyword is for.
   return std::all_of(values.at.begin(), values.at.end(), [&](Index at) {
     for (const ElementBlock& block : document.blocks)
       if (at >= 0 && static_cast<std::size_t>(at) < block.first + block.count)

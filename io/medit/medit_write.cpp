@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medit's files, text and binary: the same keywords in both, so one writer.
+// Writes Medit's files. Text and binary have the same keywords, so they share a writer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Writer {
     return plan_.references && !plan_.references->integers.empty() ? plan_.references->integers[node] : 0;
   }
 
-  // Version 2 while everything fits.
+  // Version 2 if everything fits.
   void header() {
     std::int64_t least = 0, most = 0;
     const auto see = [&](std::int64_t value) {
@@ -79,7 +79,7 @@ class Writer {
     number(std::int32_t{3});
   }
 
-  // The keyword and the place of the next one, `bytes` behind this head.
+  // Writes a keyword and the place of the next one, which is `bytes` after this head.
   void start(int code, std::size_t bytes) {
     number(std::int32_t{code});
     const std::size_t next = code == medit_end ? 0 : at_ + (version_ < 3 ? 4 : 8) + bytes;
@@ -101,7 +101,7 @@ class Writer {
     at_ += sizeof(T);
   }
 
-  // Head of a keyword with `count` lines of `row` bytes in binary.
+  // Writes the head of a keyword with `count` lines, in binary of `row` bytes each.
   void head(const MeditKeyword& keyword, std::size_t count, std::size_t row) {
     if (!binary_) {
       file_.write(fmt::format("\n{}\n", keyword.name));
@@ -186,7 +186,7 @@ class Writer {
     }
   }
 
-  // The number of an element among those of its keyword, from 1; 0: it is none of them.
+  // Returns the number of an element among those of its keyword, from 1; 0: it is not one of them.
   std::int64_t rank_of(std::size_t element, int type) {
     if (ranks_.empty()) {
       ranks_.resize(document_.elements(), 0);
@@ -207,7 +207,7 @@ class Writer {
 
   void section(const Section& section) {
     if (!binary_) {
-      // A line that begins with a letter would be a keyword.
+      // A line that begins with a letter would be read as a keyword.
       const bool goes_on = !section.body.empty() && is_medit_letter(section.body[0]);
       file_.write(fmt::format("\n{}{}{}\n", section.name, goes_on ? ' ' : '\n', section.body));
       return;

@@ -82,7 +82,7 @@ class Writer {
       const ElementBlock& block = *blocks_[b];
       marked = b > 0 && !marked && looks_like_a_copy(*blocks_[b - 1], block);
       const std::vector<std::int64_t> groups = groups22(document_, block);
-      std::vector<std::string> middles;  // what stands between an element's tag and its nodes, for each group
+      std::vector<std::string> middles;  // for each group, the numbers between an element's tag and its nodes
       std::size_t longest = 0;
       for (const std::int64_t group : groups) {
         middles.push_back(middle(block, tags_of(block, group, marked)));
@@ -102,7 +102,7 @@ class Writer {
         out.integer(k == 0 ? tags_.element_at(block.first + e)
                            : copy + static_cast<std::int64_t>(e * (groups.size() - 1) + k - 1));
         out.to = std::copy(middles[k].begin(), middles[k].end(), out.to);
-        if (!Binary) out.to[-1] = ' ';  // its line goes on
+        if (!Binary) out.to[-1] = ' ';  // the line goes on
         if (counted) out.integer(each);
         const Index* node = document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(each);
         for (int n = 0; n < each; ++n) out.integer(tags_.node(node[n]));
@@ -121,8 +121,8 @@ class Writer {
     });
   }
 
-  // Whether a reader would take the first element of `next` for the last one of `block` in a further group. A
-  // third or last tag, a 0 that says nothing, then tells that it is another element.
+  // Whether a reader would take the first element of `next` for the last one of `block` in a further group.
+  // If so, one more tag at the end, a 0 without a meaning, tells that it is another element.
   bool looks_like_a_copy(const ElementBlock& block, const ElementBlock& next) const {
     const std::vector<std::int64_t> groups = groups22(document_, block);
     const std::int64_t group = groups22(document_, next)[0];
@@ -138,7 +138,7 @@ class Writer {
 
   static std::int64_t entity_of(const ElementBlock& block) { return block.entity == 0 ? 1 : block.entity; }
 
-  // Physical, elementary, and if there are any the number of partitions and they themselves.
+  // The tags: physical, elementary, and if there are partitions, their number and the partitions.
   std::vector<std::int64_t> tags_of(const ElementBlock& block, std::int64_t group, bool marked) const {
     const auto& partitions = document_.tag_sets[block.partitions];
     std::vector<std::int64_t> tags{group, entity_of(block)};

@@ -82,7 +82,7 @@ class Writer {
     for (std::int64_t tag : tags) integer(out, tag);
   }
 
-  // Tags of entities and groups are 4 bytes in binary.
+  // Tags of entities and groups have 4 bytes in binary.
   void integer(auto& out, std::int64_t tag) {
     if (Binary && (tag > largest_int || tag < -largest_int - 1))
       throw InputError(
@@ -165,7 +165,7 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const bool v40_;  // whose numbers stand in another order; never binary
+  const bool v40_;  // 4.0 has its numbers in another order, and is never binary
   const std::string& format_;
   const EntityPlan& plan_;
   const Holds& holds_;

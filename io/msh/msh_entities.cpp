@@ -11,7 +11,7 @@
 namespace tetproof::io {
 namespace {
 
-// Ghosts, which 2.2 gives a negative number, are no partitions of an entity.
+// Whether a set contains only partitions of an entity. In 2.2 a negative number means a ghost.
 bool are_partitions(const Document& document, std::int32_t set) {
   const auto& tags = document.tag_sets[set];
   return std::all_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag > 0; });
@@ -64,7 +64,7 @@ class Planner {
   std::int64_t find_tag(int dim, std::int64_t tag, Belongs to) {
     if (const auto renamed = renamed_.find({dim, tag, to}); renamed != renamed_.end()) return renamed->second;
     if (tag != 0) {
-      // Elements of a partition get an entity of their own, with the one that they name as its parent.
+      // Elements of a partition get an entity of their own; its parent is the one that they name.
       const auto [place, is_new] = known_.try_emplace({dim, tag}, Belongs{to.groups, 0});
       if (is_new) add({.dim = dim, .groups = to.groups, .tag = tag});
       if (place->second == to) return tag;
@@ -83,7 +83,7 @@ class Planner {
     plan_.entities.push_back(std::move(entity));
   }
 
-  // Nodes that belong to no entity are given to that of the block of the highest dimension.
+  // Nodes of no entity join the entity of the first block of the highest dimension.
   void cover_nodes() {
     int dim = 3;
     std::int64_t tag = 0;

@@ -15,13 +15,13 @@
 namespace tetproof::io {
 namespace {
 
-// Sections that a version gives a meaning of its own.
+// Sections whose meaning depends on the version.
 constexpr std::array<std::string_view, 16> versioned{
     "MeshFormat",      "PhysicalNames", "Nodes",         "Elements",
     "ParametricNodes", "NOD",           "NOE",           "ELM",
     "Entities",        "Periodic",      "PeriodicNodes", "PartitionedEntities",
     "ElementCuts",     "BoundaryLayer", "GhostElements", "Parametrizations"};
-// Those that name nodes or elements, the same way in all versions.
+// Sections that name nodes or elements, in the same way in all versions.
 constexpr std::array<std::string_view, 3> data{"NodeData", "ElementData", "ElementNodeData"};
 
 bool contains(const auto& names, const std::string& name) {
@@ -39,12 +39,12 @@ bool all_differ(const std::vector<std::int64_t>& tags) {
   return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-// Text in double quotes, to the last quote of its line.
+// Whether a text can be written in double quotes. It ends with the last quote of its line.
 bool is_quotable(const std::string& text) {
   return text.find_first_of("\r\n") == text.npos;
 }
 
-// Runs of nodes as a reader puts them together: `merged` if it joins what is alike.
+// Runs of nodes as a reader makes them. `merged`: it joins neighbouring runs of one entity.
 std::vector<NodeBlock> runs_of(const std::vector<NodeBlock>& blocks, bool merged) {
   std::vector<NodeBlock> runs;
   for (const NodeBlock& block : blocks) {
@@ -69,7 +69,7 @@ bool keeps_section(const Section& section, const std::string& format, bool binar
   const bool same_bytes = section.binary == binary && !(section.binary && section.swapped);
   if (contains(data, section.name)) return same_bytes;
   if (contains(versioned, section.name)) return same_bytes && section.format == format;
-  return true;  // nobody reads anything into it
+  return true;  // no version gives it a meaning
 }
 
 // Whether elements of a block can be written. Where Gmsh's list does not tell how many nodes a type has, only
@@ -80,12 +80,11 @@ bool has_place_for(const Document& document, const ElementBlock& block, const st
   return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
 }
 
-// What all versions hold alike.
+// What is held in the same way by all versions.
 Holds names_and_elements(const Document& document, const std::string& format, bool binary) {
   Holds holds;
   holds.kept_in = "$TetproofSupplement";
   holds.name = [](const GroupName& name) { return is_quotable(name.name); };
-  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(), holds.name);
   holds.nodes_each = [&document, format, binary](const ElementBlock& block) {
     return has_place_for(document, block, format, binary) ? block.nodes_each : 0;
   };
@@ -176,7 +175,7 @@ bool same(const Entity& a, const Entity& b) {
          a.parent_dim == b.parent_dim && a.parent == b.parent && a.partitions == b.partitions;
 }
 
-// Whether the document's entities come back in their order, with others between them at most.
+// Whether the document's entities come back in their order. Others may come between them.
 bool holds_entities(const Document& document, const std::vector<Entity>& written, const std::string& format) {
   auto next = written.begin();
   for (const Entity& entity : document.entities) {

@@ -9,7 +9,8 @@
 namespace tetproof::io {
 namespace {
 
-// Whether these are values of all corners of faces, and of nothing else.
+// Whether these are values of corners of faces: of all corners of each face that has any, and of nothing
+// else.
 bool of_corners(const Document& document, const Values& values) {
   const std::size_t elements = document.elements();
   if (values.nodes.empty() || values.components < 1 || values.reals.empty() || !values.integers.empty() ||
@@ -32,12 +33,12 @@ bool of_corners(const Document& document, const Values& values) {
          values.reals.size() == items * static_cast<std::size_t>(values.components);
 }
 
-// Whether each element has one of the labels, and these stand in the order of their first use.
+// Whether each element has one label, and the labels are listed in the order of their first use.
 bool of_labels(const Document& document, const Values& values) {
   const std::size_t elements = document.elements();
   if (values.components != 1 || values.labels.empty() || values.integers.size() != elements || elements == 0)
     return false;
-  Values numbers;  // whether the rest is plain
+  Values numbers;  // the same values without labels: they must be plain numbers
   numbers.integers = values.integers, numbers.first = values.first, numbers.at = values.at;
   numbers.nodes = values.nodes, numbers.of_view = values.of_view, numbers.time = values.time;
   numbers.step = values.step, numbers.partition = values.partition, numbers.reals = values.reals;
@@ -92,7 +93,8 @@ Holds obj_holds(const Document& document, const ObjPlan& plan) {
   Holds holds;
   holds.title = title_in_lines(document.title);
   holds.nodes_each = corners_kept;
-  holds.tables = document.tables.empty() || (document.tables.size() == 1 && is_libraries(document.tables[0]));
+  const bool libraries_only = document.tables.size() == 1 && is_libraries(document.tables[0]);
+  holds.table = [libraries_only](const Table&) { return libraries_only; };
   std::vector<const Values*> held = plan.behind.held();
   if (keeps_all_elements(document, corners_kept))
     held.insert(held.end(), {plan.texture, plan.normal, plan.object, plan.material, plan.smoothing});

@@ -15,10 +15,10 @@ namespace tetproof::io {
 struct ObjPlan {
   explicit ObjPlan(const Document& document);
 
-  RowsOf behind;  ///< colours and weights, behind the coordinates of nodes
+  RowsOf behind;  ///< colours and weights, written after the coordinates of nodes
   const Values *texture = nullptr, *normal = nullptr;                         ///< of corners
   const Values *object = nullptr, *material = nullptr, *smoothing = nullptr;  ///< of elements
-  GroupWords words;                                                           ///< for groups
+  GroupWords words;                                                           ///< the words for groups
 };
 Holds obj_holds(const Document& document, const ObjPlan& plan);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ as text: points, what corners have, and elements below what holds for them.
+// Writes OBJ: points, then values of corners, then elements, each after the statements that apply to it.
 #include <fmt/core.h>
 
 #include <array>
@@ -14,7 +14,8 @@
 namespace tetproof::io {
 namespace {
 
-// Values of corners as OBJ lists them: each row once, and the number of the row at every corner.
+// Values of corners as OBJ lists them: each row is written once, and every corner names the number of its
+// row.
 struct CornerRows {
   const Values* values = nullptr;
   std::vector<std::size_t> rows;        // the first item with these numbers
@@ -99,14 +100,14 @@ class Writer {
     });
   }
 
-  // Says what holds from this element on and did not before.
+  // Writes the statements that apply from this element on and did not apply before.
   void say_state(const ElementBlock& block, std::size_t element) {
     const auto label = [&](const Values* values, const char* statement, std::int64_t& now) {
       if (!values || values->integers[element] == now) return;
       const std::int64_t before = now;
       now = values->integers[element];
       const std::string& name = values->labels[static_cast<std::size_t>(now)];
-      if (before < 0 && name.empty() && values->labels.size() > 1) return;  // as it is without a statement
+      if (before < 0 && name.empty() && values->labels.size() > 1) return;  // the same as no statement
       file_.write(fmt::format("{}{}{}\n", statement, name.empty() ? "" : " ", encode_name(name, true)));
     };
     label(plan_.object, "o", object_);

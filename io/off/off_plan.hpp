@@ -13,8 +13,8 @@
 namespace tetproof::io {
 
 struct OffPlan {
-  /// Whether faces of one and two corners and the title are written. Many programs take such a face for an
-  /// error, and a comment too, so only a document that was read from an OFF is written with them.
+  /// Whether the document was read from an OFF. Only then are faces of one and two corners and the title
+  /// written: many programs refuse such faces, and refuse comments.
   bool came_from_off = false;
   const Values *normal = nullptr, *color = nullptr, *texture = nullptr;  ///< of nodes; null: none
   RowsOf face_colors;

@@ -21,7 +21,7 @@ int nodes_written(const ElementBlock& block) {
   return corners >= 2 ? corners : 0;
 }
 
-// Properties for `values`, of which the row of instance i is `first` + i.
+// Adds properties for values. Row `first` + i of the values belongs to instance i.
 void add(PlyPart& part, const PlyNamed& one, std::size_t first) {
   const Values& values = *one.values;
   const auto each = static_cast<std::size_t>(values.components);
@@ -70,7 +70,7 @@ void PlyPlan::node_values() {
   }
 }
 
-// Values stand in the file's order only if the elements do.
+// Values of elements have the file's order only if the elements do.
 void PlyPlan::element_values() {
   if (!ordered_) return;
   std::vector<const Values*> wanted, of_faces, of_lines;
@@ -122,7 +122,7 @@ void PlyPlan::texture() {
   }
 }
 
-// Whether a column can be written so that it comes back, as a property.
+// Whether a column can be written as a property that comes back; if so, sets `source`.
 bool PlyPlan::column(const Column& column, std::size_t rows, PlySource& source) const {
   source.name = encode_name(column.name);
   const bool list = !column.lengths.empty() || column.type.starts_with("list ");
@@ -157,7 +157,8 @@ bool PlyPlan::column(const Column& column, std::size_t rows, PlySource& source) 
   return true;
 }
 
-// Tables "vertex", "face" and "edge" are lists of these elements; all others are elements of their own.
+// The tables "vertex", "face" and "edge" hold the lists of these elements. Every other table is an element of
+// its own.
 void PlyPlan::tables() {
   std::set<std::string> names{"vertex", "face", "edge"}, attached;
   for (const Table& table : document_.tables) {

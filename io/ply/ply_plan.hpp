@@ -15,7 +15,8 @@
 
 namespace tetproof::io {
 
-/// Where the numbers of a property stand: that of instance i at i x stride; of a list from `starts[i]` on.
+/// Where the numbers of a property are: that of instance i at i x stride. Those of a list: from `starts[i]`
+/// to `starts[i + 1]`.
 struct PlySource {
   std::string name, type_words;
   const PlyType *type = nullptr, *count = nullptr;
@@ -31,7 +32,7 @@ struct PlySource {
   }
 };
 
-/// An element of the file beside what stands in front of its properties: coordinates, corners.
+/// An element of the file. Its coordinates or corners are written before these properties.
 struct PlyPart {
   std::string name;
   std::size_t rows = 0;
@@ -43,7 +44,7 @@ struct PlyPart {
   }
 };
 
-/// Refers to the document.
+/// Refers to the document, which must outlive the plan.
 class PlyPlan {
  public:
   PlyPlan(const Document& document, bool binary);
@@ -63,7 +64,7 @@ class PlyPlan {
 
   const Document& document_;
   const bool binary_;
-  bool ordered_ = false;  // every element comes back at its place
+  bool ordered_ = false;  // every element comes back at its position in the document
 };
 
 Holds ply_holds(const Document& document, const PlyPlan& plan);

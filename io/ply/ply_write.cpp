@@ -79,7 +79,7 @@ class Writer {
     file_.write(text + "end_header\n");
   }
 
-  // Float if every coordinate is one.
+  // Float if every coordinate is exact as a float.
   const PlyType* point_type() const {
     const PlyType* type = document_.points.empty() ? ply_type("double") : ply_type("float");
     for (const Eigen::Vector3d& point : document_.points)
@@ -90,7 +90,7 @@ class Writer {
     return type;
   }
 
-  // The rows of an element: what `start` puts, at most so many bytes, and the properties.
+  // Writes the rows of an element: what `start` puts, at most `longest_start` bytes, then the properties.
   template <class Start>
   void rows(const PlyPart& part, std::size_t longest_start, const Start& start) {
     write_items(file_, part.rows, longest_start + part.longest() + 1, [&](std::size_t i, char* to) {

@@ -12,7 +12,7 @@
 
 namespace tetproof::io {
 
-/// A solid of the text form; of the binary form, which has no solids, only the order of the facets counts.
+/// A solid of the text form. The binary form has no solids; for it only the order of the facets matters.
 struct StlSolid {
   StlGroup group;
   std::vector<const ElementBlock*> blocks;
@@ -26,8 +26,8 @@ struct StlPlan {
 StlPlan stl_plan(const Document& document);
 Holds stl_holds(const Document& document, const StlPlan& plan, bool binary);
 
-/// The corner of a polygon of `corners` nodes where its fan of triangles starts; -1: the polygon is not
-/// planar and convex, and is not written.
+/// Returns the corner where the fan of triangles of a polygon of `corners` nodes starts; -1: the polygon is
+/// not planar and convex, and is not written.
 std::ptrdiff_t start_of_fan(const std::vector<Eigen::Vector3d>& points, const Index* nodes,
                             std::size_t corners);
 

@@ -22,19 +22,19 @@ struct Facet {
   std::size_t element;
 };
 
-// Of length 1, or 0 for a triangle without direction.
+// Returns the normal of length 1, or 0 for a triangle that has none.
 Eigen::Vector3f normal(const std::vector<Eigen::Vector3d>& points, const std::array<Index, 3>& t) {
   const Eigen::Vector3d& a = points[static_cast<std::size_t>(t[0])];
   Eigen::Vector3d b = points[static_cast<std::size_t>(t[1])] - a,
                   c = points[static_cast<std::size_t>(t[2])] - a;
-  b /= b.cwiseAbs().maxCoeff(), c /= c.cwiseAbs().maxCoeff();  // so that nothing over- or underflows
+  b /= b.cwiseAbs().maxCoeff(), c /= c.cwiseAbs().maxCoeff();  // avoids overflow and underflow
   const Eigen::Vector3d n = b.cross(c);
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   if (!(length > 0) || !std::isfinite(length)) return Eigen::Vector3f::Zero();
   return (n / length).cast<float>() + Eigen::Vector3f::Zero();  // without -0
 }
 
-// A polygon's triangles, or none.
+// Adds the triangles of a polygon; none if it is not written.
 void add_fan(std::vector<Facet>& facets, const std::vector<Eigen::Vector3d>& points,
              const KeptElement& face) {
   const auto n = static_cast<std::size_t>(face.corners);
@@ -58,7 +58,8 @@ std::vector<Facet> facets_of(const Document& document, const StlSolid& solid) {
   return facets;
 }
 
-// A header that starts with "solid" would make others take the file for text, if there is room to avoid it.
+// Other programs take a file whose header starts with "solid" for text. A blank before it avoids that, if
+// there is room.
 std::string header_of(const std::string& title) {
   std::string start = title.substr(0, 5);
   for (char& c : start)

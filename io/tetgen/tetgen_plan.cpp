@@ -29,7 +29,7 @@ bool list_is_valid(const std::vector<Index>& items, std::size_t most) {
   return true;
 }
 
-// What the files of a Voronoi diagram can say and their reader takes.
+// Whether there is a Voronoi diagram, its files can store it, and our reader accepts it.
 bool voronoi_is_valid(const Document& document, std::int64_t base) {
   const Voronoi& v = document.voronoi;
   if (v.points.empty() && v.edges.empty() && v.faces.empty() && v.cells.empty()) return false;
@@ -51,7 +51,7 @@ bool voronoi_is_valid(const Document& document, std::int64_t base) {
 
 }  // namespace
 
-// A number that no node has must stay one that no node has.
+// A number that names no node must not come to name one.
 std::int64_t tetgen_unknown(const Document& document, std::int64_t base, std::size_t k) {
   const std::int64_t number = document.unknown[k],
                      behind = base + static_cast<std::int64_t>(document.points.size());
@@ -75,8 +75,8 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
     if (has_shape(block, Shape::triangle)) add_block(plan.faces, block);
     if (has_shape(block, Shape::line)) add_block(plan.edges, block);
   }
-  // TetGen expects faces and edges to be of second order where the tetrahedra are, and nowhere else. Nodes
-  // between corners that a reader would take for those of another order are not written.
+  // TetGen expects faces and edges of second order if the tetrahedra are of second order, and only then.
+  // Nodes between corners are not written where a reader would take them in another order.
   const std::vector<TetgenRun> tets = runs_of(document, plan.tets), faces = runs_of(document, plan.faces);
   plan.tets.nodes_each = all_of_type(plan.tets, tetrahedron10) && !are_turned(document, tets) ? 10 : 4;
   const bool second_order = plan.tets.nodes_each == 10;
@@ -98,7 +98,7 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
   plan.tet_groups = tells_groups(document, plan.tets, "attributes");
   plan.face_groups = tells_groups(document, plan.faces, "markers");
   plan_edge_values(document, plan);
-  // Behind corners alone these columns would be taken for nodes between corners.
+  // After corners alone a reader would take these columns for nodes between the corners.
   if (second_order && plan.faces.nodes_each == 3) plan.face_tets = nullptr;
   if (second_order && plan.edges.nodes_each == 2) plan.edge_tets = nullptr;
   plan.voronoi = voronoi_is_valid(document, plan.base);

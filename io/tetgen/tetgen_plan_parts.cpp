@@ -90,7 +90,7 @@ void plan_edge_values(const Document& document, TetgenPlan& plan) {
   plan.edge_markers = values_of(document, plan.edges, "markers", false, 1);
   plan.edge_tets = values_of(document, plan.edges, "neighbours", false, 1);
   plan.edge_groups = tells_groups(document, plan.edges, "markers");
-  // Values of one name are told apart by their order, and those of edges are read last.
+  // Values with the same name are told apart by their order, and those of edges are read last.
   const Values* const before = plan.plc ? plan.facet_markers : plan.face_markers;
   if (plan.edge_markers < before) plan.edge_markers = nullptr;
 }

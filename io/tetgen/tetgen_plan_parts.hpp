@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the plan of TetGen's mesh files and the plan of its .poly and .smesh share: lists of elements, and the
+// Shared by the plan of TetGen's mesh files and the plan of its .poly and .smesh: lists of elements, and the
 // values that belong to them.
 #pragma once
 
@@ -25,7 +25,8 @@ bool is_run(const TetgenList& list, std::size_t first);
 /// Whether the numbers of the elements of these lists, one list after the other, count up from `base`.
 bool counts_up(const Document& document, std::int64_t base, std::initializer_list<const TetgenList*> lists);
 
-/// Values of all elements of a list and of no others; null: none. `components` 0: any number of them.
+/// Returns the values that all elements of a list have, and no others; null: there are none. `components` 0:
+/// any number of components.
 const Values* values_of(const Document& document, const TetgenList& list, const char* name, bool reals,
                         int components);
 
@@ -33,13 +34,13 @@ const Values* values_of(const Document& document, const TetgenList& list, const 
 /// such values.
 bool tells_groups(const Document& document, const TetgenList& list, const char* name);
 
-/// A plan of the nodes alone.
+/// Plans the nodes and their values.
 TetgenPlan plan_of_nodes(const Document& document);
 
 /// Adds the values of `plan.edges`, after those of faces or facets.
 void plan_edge_values(const Document& document, TetgenPlan& plan);
 
-/// What both plans hold; which elements they hold is left to be said.
+/// What both plans hold. Elements are not among it: the caller adds them.
 Holds tetgen_holds_of_values(const Document& document, const TetgenPlan& plan);
 
 }  // namespace tetproof::io

@@ -16,7 +16,7 @@ bool says_boundary(const Document& document) {
                      [](const ElementBlock& block) { return block.of_boundary && block.count > 0; });
 }
 
-// `said`: the document says which elements are of the boundary.
+// Where the elements of a block go. `said`: the document says which elements are of the boundary.
 PlcPart part_of(const ElementBlock& block, bool said) {
   const ElementType* type = element_type(block.type);
   const bool has_corners = type ? type->dim <= 2 && type->shape != Shape::other : block.type == polygon;

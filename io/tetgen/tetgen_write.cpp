@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's files of a mesh.
+// Writes TetGen's files of a mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +13,14 @@
 namespace tetproof::io {
 namespace {
 
-// Lines of an .ele, .face or .edge: number, nodes, values or the group in their place, more values.
+// Writes the lines of an .ele, .face or .edge: number, nodes, values (or the group in their place), more
+// values.
 void write_elements(AtomicFile& file, const Document& document, const TetgenPlan& plan,
                     const TetgenList& list, bool groups, const Values* before,
                     const Values* behind = nullptr) {
   const auto each = static_cast<std::size_t>(list.nodes_each);
   const std::size_t longest = (2 + each + columns(before) + columns(behind)) * (longest_real + 1) + 1;
-  // Nodes of tetrahedra of second order are TetGen's; else there are none that change places.
+  // TetGen has an order of its own for the nodes of tetrahedra of second order, and only for these.
   const std::span<const int> order =
       each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   std::size_t written = 0;
@@ -39,14 +40,14 @@ void write_elements(AtomicFile& file, const Document& document, const TetgenPlan
   }
 }
 
-// Lines of a number and values.
+// Writes lines of a number and values.
 void write_values(AtomicFile& file, const TetgenPlan& plan, std::size_t count, const Values& values) {
   write_items(file, count, (1 + columns(&values)) * (longest_real + 1) + 1, [&](std::size_t i, char* to) {
     return put(put_values(put(to, plan.base + static_cast<std::int64_t>(i)), &values, i), '\n');
   });
 }
 
-// Which files a mesh comes to; `named`: the one that the writer was asked for.
+// Which files a mesh is written to. `named`: the one that the writer was asked for.
 std::vector<std::string> endings_of(const TetgenPlan& plan, const std::string& named) {
   std::vector<std::string> endings{".node", ".ele"};
   if (plan.faces.count > 0 || named == ".face") endings.push_back(".face");

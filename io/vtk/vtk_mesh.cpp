@@ -57,7 +57,8 @@ class Maker {
     }
   }
 
-  // Values of `items` nodes or elements, of which `written` are written; null: all.
+  // Adds an array for values of `items` nodes or elements. `written`: the positions of those that are
+  // written; null: all are.
   void add_values(std::vector<VtkArray>& to, const std::string& name, const Values& values,
                   const std::vector<std::size_t>* written, std::size_t items) {
     if (values.components < 1 || !values.nodes.empty()) return;

@@ -12,7 +12,7 @@
 
 namespace tetproof::io {
 
-/// What a writer writes. An array's numbers are reals or integers.
+/// An array as it is written. It has reals, integers or texts.
 struct VtkArray {
   std::string name, type = "Float64";
   int components = 1;
@@ -27,7 +27,7 @@ struct VtkMesh {
   std::vector<std::int64_t> ends;
   std::vector<unsigned char> types;
   std::vector<VtkArray> point_data, cell_data, field_data;
-  std::deque<std::vector<double>> own_reals;  ///< what the arrays of changed values look at
+  std::deque<std::vector<double>> own_reals;  ///< the numbers of arrays that differ from the document's
   std::deque<std::vector<std::int64_t>> own_integers;
 };
 
@@ -35,7 +35,8 @@ struct VtkMesh {
 /// name unknown nodes are left out.
 VtkMesh vtk_mesh(const Document& document, const VtkPlan& plan);
 
-/// Where the first number stands that is `wanted`: "a point", `point data "a"`, ...; empty: nowhere.
+/// Returns the place of the first number that is `wanted`: "a point", `point data "a"`, ...; empty: there is
+/// none.
 std::string first_place_of(bool (*wanted)(double), const Document& document, const VtkMesh& mesh);
 
 }  // namespace tetproof::io

@@ -17,7 +17,8 @@
 namespace tetproof::io {
 namespace {
 
-// What is there of values of nodes or elements, if each has one value at most and what is written any.
+// What is stored of values of nodes or elements. None, unless each node or element has at most one value, and
+// one of those that are written has a value.
 std::optional<HeldNumbers> held_numbers(const Document& document, const Values& values, bool of_nodes) {
   const std::size_t items = of_nodes ? document.points.size() : document.elements();
   if (covers(values, items) && (of_nodes || items == 0)) return HeldNumbers{};
@@ -62,7 +63,7 @@ bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
 
-// 0 and 1, the only one or none, go without saying.
+// Whether an array of entities is needed. The tags 0 (none) and 1 (the only one) need none.
 bool has_entities(const Document& document) {
   return !all_of_blocks(document,
                         [](const ElementBlock& block) { return block.entity == 0 || block.entity == 1; });
@@ -75,7 +76,8 @@ std::size_t most_groups(const Document& document) {
   return most;
 }
 
-// Names for arrays, each once; a name of ours is not for others.
+// Gives out names for arrays, each once. The names that the reader takes for entities and groups are not
+// given to other cell data.
 class Names {
  public:
   std::string operator()(const std::string& wanted, bool of_cells = false) {
@@ -89,7 +91,8 @@ class Names {
   std::set<std::string> taken_;
 };
 
-// Columns that can be written; the array of a table of one column has the table's name alone.
+// The columns that can be written. If a table has one column, of the same name, that is the array's name,
+// too.
 std::vector<VtkPlan::Field> fields_of(const Document& document) {
   std::vector<VtkPlan::Field> fields;
   Names names;

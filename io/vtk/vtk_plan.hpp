@@ -30,20 +30,19 @@ struct VtkPlan {
 /// `entities`: the name of the array of entity tags, if there is one.
 VtkPlan vtk_plan(const Document& document, const std::string& entities);
 
-/// The name of the array with the group k of elements.
+/// Returns the name of the array with the k-th group of each element, from 0.
 std::string vtk_group_array(std::size_t k);
 /// Whether there is one value for each of `items` nodes or elements, in their order.
 bool covers(const Values& values, std::size_t items);
 
-/// What the legacy and what the XML format hold.
+/// What the legacy format holds, and what the XML format holds.
 Holds vtk_holds(const Document& document, const VtkPlan& plan);
 Holds vtu_holds(const Document& document, const VtkPlan& plan);
 
-/// The first line of a legacy file that is the document's has room for so many bytes: for VTK it has 256, its
-/// end included.
+/// The most bytes of a title in a legacy file. VTK's limit for the line is 256, its end included.
 inline constexpr std::size_t longest_vtk_title = 255;
 
-/// Whether the strings of an array can be told from each other in XML, where a zero byte ends each of them.
+/// Whether the strings of an array can be told apart in XML, where a zero byte ends each of them.
 bool are_vtu_strings(std::span<const std::string> texts);
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's legacy files, text and binary.
+// Writes VTK's legacy files, text and binary.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -133,7 +133,7 @@ class Writer {
     if (binary_) file_.write("\n");
   }
 
-  // `value(i)` of type T for i in 0 .. count-1; in text `components` of them a line.
+  // Writes `value(i)` as type T for i in 0 .. count-1; in text, `components` of them in a line.
   template <class T, class Value>
   void numbers(int components, std::size_t count, const Value& value) {
     if (binary_) {
@@ -186,7 +186,7 @@ class VtkFilePlan : public OneFilePlan {
  private:
   void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
 
-  // Made when it is needed, since what the format holds can be told without it.
+  // Made only when it is needed, because it takes memory and `holds` does not need it.
   const VtkMesh& mesh() {
     if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
     return *mesh_;

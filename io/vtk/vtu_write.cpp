@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's XML files, written by hand: their bulk is numbers.
+// Writes VTK's XML files. Most of such a file is numbers, so no XML library is used.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,7 +99,7 @@ class Writer {
     file_.write("</Array>\n");
   }
 
-  // `value(i)` of type T for i in 0 .. count-1.
+  // Writes `value(i)` as type T for i in 0 .. count-1.
   template <class T, class Value>
   void numbers(const std::string& name, const std::string& type, int components, bool counted,
                std::size_t count, const Value& value) {
@@ -111,7 +111,7 @@ class Writer {
   template <class T, class Value>
   void values(std::size_t count, const Value& value) {
     if (binary_) {
-      // Groups of three values make whole groups of three bytes, so that no padding stands inside.
+      // Three values have a number of bytes that three divides, so that only the end can have padding.
       const std::uint64_t bytes = count * sizeof(T);
       char header[12];
       file_.write(
@@ -160,7 +160,7 @@ class VtuFilePlan : public OneFilePlan {
  private:
   void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
 
-  // Made when it is needed, since what the format holds can be told without it.
+  // Made only when it is needed, because it takes memory and `holds` does not need it.
   const VtkMesh& mesh() {
     if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
     return *mesh_;
