@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "io/bytes/atomic_file.hpp"
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/scanner.hpp"
@@ -89,14 +88,6 @@ SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
   fail_unknown(file.path(), fmt::format("one of {}", fmt::join(known_endings(), " ")));
 }
 
-void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
-                            bool binary) {
-  if (format == "stl") return write_stl(file, document, binary);
-  if (format == "off") return write_off(file, document);
-  if (format == "obj") return write_obj(file, document);
-  write_ply(file, document, binary);
-}
-
 }  // namespace io
 
 TriangleSurface read_surface(const std::string& path) {
@@ -120,9 +111,10 @@ void write_surface(const std::string& path, const TriangleSurface& surface,
       if (corner < 0 || corner >= vertices)
         throw InputError(fmt::format("{}: cannot write triangle {}: vertex {} of {} vertices does not exist",
                                      path, t, corner, vertices));
-  AtomicFile file(path);
-  io::write_surface_document(file, document_of(surface), format, !options.ascii);
-  file.commit();
+  WriteOptions write{.format = format};
+  if (format_named(format).binary) write.binary = !options.ascii;
+  const Document document = document_of(surface);
+  write_document(path, document, write);
 }
 
 }  // namespace tetproof

@@ -19,7 +19,7 @@ namespace tetproof {
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
   struct stat there {};
   if (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
-    beside_ = path_;  // a pipe or a device has no place to be renamed to
+    beside_ = path_;  // nothing can be renamed to a pipe or a device
   else
     beside_ = path_ + fmt::format(".{}.part", ::getpid());
   file_ = std::fopen(beside_.c_str(), "wb");
@@ -32,8 +32,9 @@ AtomicFile::~AtomicFile() {
   if (beside_ != path_) std::remove(beside_.c_str());
 }
 
-// Room on the disk ahead of what is written: else ext4 looks for it only when the file takes the place of
-// another one, and has us wait for it. Where this cannot be done, writing says what is wrong, if anything.
+// Reserves room on the disk ahead of the writing. Without this, ext4 looks for room only when the file
+// replaces another one, and we would wait for that. A failure is ignored here: if something is wrong, writing
+// reports it.
 void AtomicFile::reserve([[maybe_unused]] std::size_t more) {
 #ifdef FALLOC_FL_KEEP_SIZE
   constexpr std::size_t short_file = std::size_t{1} << 20, step = std::size_t{1} << 24;
@@ -57,7 +58,7 @@ void AtomicFile::write(std::string_view bytes, std::uint32_t crc32) {
 }
 
 void AtomicFile::commit() {
-  if (reserved_ > written_ && std::fflush(file_) == 0)  // what was reserved beyond the end is given back
+  if (reserved_ > written_ && std::fflush(file_) == 0)  // gives back what was reserved beyond the end
     static_cast<void>(::ftruncate(::fileno(file_), static_cast<off_t>(written_)));
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (closed && (beside_ == path_ || std::rename(beside_.c_str(), path_.c_str()) == 0)) return;

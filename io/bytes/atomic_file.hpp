@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that appears whole or not at all: written beside its place, then renamed.
+// Writes a file that appears whole or not at all: it is written beside its place, then renamed.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tetproof {
 
-/// Writes beside `path` and takes its place on `commit`; without it the destructor leaves nothing behind.
-/// Every failure is an InputError that names `path` and the system's reason.
+/// Writes beside `path`; `commit` renames the file to `path`. Without `commit` the destructor leaves nothing
+/// behind. Every failure is an InputError that names `path` and the system's reason.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);
@@ -19,11 +19,12 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
-  /// The same for those who have taken their CRC-32 already, where `keeps_checksum`.
+  /// The same for a caller that has the CRC-32 of `bytes` already. It is used only if `keeps_checksum`.
   void write(std::string_view bytes, std::uint32_t crc32);
-  /// The CRC-32 of what was written since `keep_checksum`, which comes before the first byte.
+  /// Asks for a CRC-32 of everything written. To be called before the first byte.
   void keep_checksum() { keeps_checksum_ = true; }
   bool keeps_checksum() const { return keeps_checksum_; }
+  /// The CRC-32 so far.
   std::uint32_t checksum() const { return checksum_; }
   void commit();
 
@@ -38,8 +39,8 @@ class AtomicFile {
   std::uint32_t checksum_ = 0;
 };
 
-/// Throws as AtomicFile does when no file can be made at `path`, and leaves nothing there: so that a long job
-/// fails before it begins. What is neither a file nor a folder (a pipe, a device) is not touched.
+/// Throws as AtomicFile does if no file can be made at `path`, so that a long job fails before it begins.
+/// Leaves nothing there. Does not touch what is neither a file nor a folder (a pipe, a device).
 void check_creatable(const std::string& path);
 
 }  // namespace tetproof

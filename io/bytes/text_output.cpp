@@ -15,7 +15,7 @@ void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
                   const std::function<char*(std::size_t, char*)>& format) {
   if (chunks == 0) return;
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t room = std::min(chunks, threads + 2);  // chunks that are in work at once
+  const std::size_t room = std::min(chunks, threads + 2);  // chunks in progress at a time
   const Scratch memory(room * longest);
   struct Formatted {
     std::string_view bytes;
@@ -27,7 +27,7 @@ void write_chunks(AtomicFile& file, std::size_t chunks, std::size_t longest,
     return Formatted{bytes, file.keeps_checksum() ? crc32_of(bytes) : 0};
   };
   const auto write = [&](const Formatted& chunk) { file.write(chunk.bytes, chunk.crc32); };
-  if (chunks == 1) return write(formatted(0));  // the many short lists of some files are not worth a thread
+  if (chunks == 1) return write(formatted(0));  // many files have many short lists, not worth a thread each
   std::size_t next = 0;
   const auto chunk_numbers = [&](tbb::flow_control& control) {
     if (next == chunks) control.stop();

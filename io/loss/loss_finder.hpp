@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looking for losses: the document, what the format holds of it, and the list that grows.
+// The search for losses: its input (a document, and what the format holds of it) and the list it adds to.
+// Each kind of loss has a class derived from this one.
 #pragma once
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ class LossFinder {
     return fmt::format("element {}", document_.element_tag(block.first + e));
   }
 
-  // The blocks of what comes back, and then what comes back in triangles, one by one.
+  // Calls `each` for every block that comes back, and then for every element that comes back as triangles.
   template <class Each>
   void each_written(const Each& each) const {
     for (const Written& written : written_.blocks())
@@ -55,5 +56,9 @@ void find_losses_of_mesh(const Document& document, const Holds& holds, const Wri
 /// Entities, physical groups, partitions, parametric coordinates and periodic links.
 void find_losses_of_entities(const Document& document, const Holds& holds, const WrittenPart& written,
                              std::vector<Loss>& losses);
+
+/// Values, what is to be meshed, tables, the title and sections.
+void find_losses_of_values(const Document& document, const Holds& holds, const WrittenPart& written,
+                           std::vector<Loss>& losses);
 
 }  // namespace tetproof::io

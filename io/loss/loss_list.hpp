@@ -11,7 +11,7 @@
 
 namespace tetproof::io {
 
-/// Adds `count` of `item`. An item stands in the list once: its counts add up, its first example stays.
+/// Adds `count` of `item`. Each item is listed once: its counts are added up and its first example is kept.
 /// A count of 0 adds nothing. `elements`: the item is elements, which the mesh then lacks.
 void add_loss(std::vector<Loss>& losses, const std::string& item, std::size_t count,
               const std::string& example, bool elements = false);

@@ -1,134 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/losses.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
+#include "io/loss/holds.hpp"
 #include "io/loss/loss_finder.hpp"
 
-namespace tetproof {
-namespace {
+namespace tetproof::io {
 
-using io::Holds;
-using io::Of;
-
-// Values, what is to be meshed, and what has no other place.
-class OtherLosses : io::LossFinder {
- public:
-  using LossFinder::LossFinder;
-
-  void find() {
-    values(document_.node_values, Of::node, "nodes");
-    values(document_.element_values, Of::element, "elements");
-    values(document_.element_node_values, Of::element_node, "elements' nodes");
-    boundary();
-    rest();
-  }
-
- private:
-  void values(const std::vector<Values>& all, Of of, const char* whose) {
-    for (const Values& values : all) {
-      if (holds_.values(values, of)) continue;
-      if (const auto held = holds_.numbers ? holds_.numbers(values, of) : std::nullopt)
-        all_but_numbers(values, *held, of, whose);
-      else
-        add(fmt::format("values \"{}\" of {}", values.name, whose), std::max<std::size_t>(values.size(), 1),
-            !values.reals.empty()      ? fmt::format("{}", values.reals[0])
-            : !values.integers.empty() ? fmt::format("{}", values.integers[0])
-                                       : "");
-    }
-  }
-
-  void all_but_numbers(const Values& values, const io::HeldNumbers& held, Of of, const char* whose) {
-    const std::string name = fmt::format("\"{}\"", values.name);
-    if (held.name != values.name)
-      add(fmt::format("names of values of {}", whose), 1, fmt::format("{} becomes \"{}\"", name, held.name));
-    if (held.gaps > 0)
-      add(fmt::format("gaps in values of {}", whose), held.gaps,
-          fmt::format(
-              "{} {} has no {}", of == Of::node ? "node" : "element",
-              of == Of::node ? document_.node_tag(held.first_gap) : document_.element_tag(held.first_gap),
-              name));
-    if (!values.labels.empty())
-      add(fmt::format("labels of values of {}", whose), 1,
-          fmt::format("{} labels of {}", values.labels.size(), name));
-    if (io::has_step(values))
-      add(fmt::format("times and steps of values of {}", whose), 1,
-          fmt::format("{} of time {}, step {}", name, values.time, values.step));
-  }
-
-  // What TetGen's .poly says of the body to mesh.
-  void boundary() {
-    if (!holds_.boundary)
-      each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
-        if (block.of_boundary) add("elements as polygons of the boundary to mesh", count, name);
-      });
-    if (holds_.makes_boundary)
-      for (const Written& written : written_.blocks())
-        if (!written.block->of_boundary && written.block->dim == 2)
-          add("elements as faces of a mesh, not polygons of a boundary to mesh", written.count,
-              element(*written.block));
-    if (!holds_.facets && !document_.facets.empty())
-      add("facets of several polygons or with holes", document_.facets.size(),
-          fmt::format("element {}", document_.element_tag(document_.facets[0].first)));
-    const auto point = [](const Eigen::Vector3d& p) {
-      return fmt::format("({}, {}, {})", p.x(), p.y(), p.z());
-    };
-    if (!holds_.holes && !document_.holes.empty())
-      add("holes", document_.holes.size(), point(document_.holes[0]));
-    if (!holds_.regions && !document_.regions.empty())
-      add("regions", document_.regions.size(), point(document_.regions[0].point));
-    if (holds_.bounds) return;
-    if (!document_.area_bounds.empty())
-      add("bounds of areas", document_.area_bounds.size(),
-          fmt::format("{} for marker {}", document_.area_bounds[0].area, document_.area_bounds[0].marker));
-    if (!document_.length_bounds.empty())
-      add("bounds of lengths", document_.length_bounds.size(),
-          fmt::format("{}", document_.length_bounds[0].length));
-  }
-
-  void rest() {
-    const Voronoi& voronoi = document_.voronoi;
-    if (!holds_.voronoi)
-      add("parts of a Voronoi diagram",
-          voronoi.points.size() + voronoi.edges.size() + voronoi.faces.size() + voronoi.cells.size(),
-          fmt::format("{} points", voronoi.points.size()));
-    for (const Table& table : document_.tables)
-      if (holds_.table ? !holds_.table(table) : !holds_.tables)
-        add(fmt::format("table \"{}\"", table.name), 1, fmt::format("{} rows", table.rows));
-    if (!holds_.title && !document_.title.empty()) add("title", 1, document_.title);
-    for (const Section& section : document_.sections)
-      if (!holds_.section(section))
-        add(fmt::format("section ${}", section.name), 1, fmt::format("{} bytes", section.body.size()));
-  }
-};
-
-}  // namespace
-
-bool io::has_step(const Values& values) {
-  return values.time != 0 || std::signbit(values.time) || values.step != 0 || values.partition != 0 ||
-         !values.interpolation.empty();
-}
-
-std::vector<Loss> io::unheld(const Document& document, const Holds& holds) {
+std::vector<Loss> unheld(const Document& document, const Holds& holds) {
   const WrittenPart written(document, holds);
   std::vector<Loss> losses;
   find_losses_of_mesh(document, holds, written, losses);
   find_losses_of_entities(document, holds, written, losses);
-  OtherLosses(document, holds, written, losses).find();
+  find_losses_of_values(document, holds, written, losses);
   return losses;
 }
 
-std::vector<Loss> losses(const std::string& path, const Document& document, const WriteOptions& options) {
-  const Holds holds = io::holds_of(path, document, options);
-  return holds.kept_in.empty() ? io::unheld(document, holds) : std::vector<Loss>{};
-}
-
-KeptAside kept_aside(const std::string& path, const Document& document, const WriteOptions& options) {
-  const Holds holds = io::holds_of(path, document, options);
-  if (holds.kept_in.empty()) return {};
-  return {holds.kept_in, io::unheld(document, holds)};
-}
-
-}  // namespace tetproof
+}  // namespace tetproof::io

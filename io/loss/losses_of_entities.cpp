@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/loss/loss_finder.hpp"
-#include "io/msh/msh_entities.hpp"
+#include "io/model/entities.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -23,7 +23,7 @@ class EntityLosses : LossFinder {
   }
 
  private:
-  // An entity that is nothing but a number, the only one or none, is no loss.
+  // An entity that is only a number, 0 (none) or 1, is not a loss.
   void entities_of_elements() {
     if (holds_.element_entities) {
       add("numbers of entities", static_cast<std::size_t>(holds_.changed_entities), holds_.changed_entity);
@@ -72,8 +72,7 @@ class EntityLosses : LossFinder {
         add("physical groups beyond an element's first", count, first);
     });
     for (const GroupName& name : document_.group_names)
-      if (holds_.name ? !holds_.name(name) : !holds_.group_names)
-        add("names of physical groups", 1, name.name);
+      if (!holds_.name(name)) add("names of physical groups", 1, name.name);
   }
 
   void partitions() {

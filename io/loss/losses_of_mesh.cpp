@@ -57,7 +57,7 @@ class MeshLosses : LossFinder {
   }
 
  private:
-  // Elements that are not written, or without their nodes between the corners.
+  // Elements that are not written, or are written without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
       const std::string what =
@@ -76,7 +76,7 @@ class MeshLosses : LossFinder {
             written.count, element(*written.block));
   }
 
-  // Left out, or cut into triangles.
+  // Elements of a block that has no place: each is cut into triangles or left out.
   void not_written(const ElementBlock& block, const std::string& what) {
     std::vector<bool> cut(block.count);
     for (const Cut& one : written_.cut())
@@ -98,7 +98,7 @@ class MeshLosses : LossFinder {
     }
   }
 
-  // The writer puts them together by kind.
+  // The order changes where the writer puts elements of one kind together.
   void order() {
     const std::vector<Written>& blocks = written_.blocks();
     for (std::size_t i = 1; i < blocks.size(); ++i)
@@ -118,7 +118,7 @@ class MeshLosses : LossFinder {
     if (holds_.nodes_by_place) nodes_by_place();
   }
 
-  // One for each place, as elements name them.
+  // Nodes come back one for each place, in the order in which elements name them.
   void nodes_by_place() {
     std::vector<Eigen::Vector3d> places;
     bool in_order = true;
@@ -135,7 +135,7 @@ class MeshLosses : LossFinder {
     if (std::any_of(places.begin(), places.end(), [](const auto& p) { return p.hasNaN(); })) nodes_at_nan();
   }
 
-  // They equal no place, not even their own, and come back once for each corner.
+  // A node at NaN equals no place, not even its own, so it comes back once for each corner.
   void nodes_at_nan() {
     std::map<Index, std::size_t> corners;
     for (const Written& written : written_.blocks())
@@ -151,7 +151,7 @@ class MeshLosses : LossFinder {
             fmt::format("node {}", document_.node_tag(static_cast<std::size_t>(node))));
   }
 
-  // Those that come back count up from 0 or 1, or their numbers are lost.
+  // The numbers are lost unless those of the written nodes count up from 0 or 1.
   void node_numbers() {
     if (holds_.node_tags || written_.nodes() == 0) return;
     if (written_.all_nodes() && document_.node_tags.empty() && is_plain(document_.first_node)) return;
@@ -163,7 +163,7 @@ class MeshLosses : LossFinder {
     if (!plain) add("numbers of nodes", written_.nodes(), fmt::format("the first is {}", first));
   }
 
-  // Numbers that no node has, where they are written as others.
+  // Numbers that no node has are lost where the writer has to write others.
   void unknown_numbers() {
     if (!holds_.unknown_nodes || !holds_.unknown_number) return;
     for (std::size_t k = 0; k < document_.unknown.size(); ++k)
@@ -175,8 +175,8 @@ class MeshLosses : LossFinder {
   void element_numbers() {
     if (holds_.element_tags || written_.blocks().empty()) return;
     std::int64_t first = 0, first_in_file = 0, position = 0, before = 0;
-    bool plain = true, begun = false;  // plain: they count up from 0 or 1 and so do those in the file
-    bool same = true;                  // they are those in the file, which start from 1
+    bool plain = true, begun = false;  // plain: they count up from 0 or 1, and so do the file's
+    bool same = true;                  // they are equal to the file's, which start from 1
     std::size_t count = 0;
     auto cut = written_.cut().begin();
     for (const Written& written : written_.blocks()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which elements and nodes of a document come back from a file of a format, and in which order.
+// Works out which elements and nodes of a document come back from a file of a format, and in which order.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace tetproof::io {
 
 class WrittenPart {
  public:
-  /// A block, and how many of its elements come back with how many nodes each.
+  /// A block whose elements come back: `count` of them, with `nodes_each` nodes each.
   struct Block {
     const ElementBlock* block;
     int nodes_each;
@@ -21,14 +21,14 @@ class WrittenPart {
 
   WrittenPart(const Document& document, const Holds& holds);
 
-  /// Elements that come back as fans of triangles, in the document's order.
+  /// An element that comes back as a fan of triangles.
   struct Cut {
     const ElementBlock* block;
     std::size_t element;  ///< in the block
-    int start, corners;   ///< the fan's
+    int start, corners;   ///< of the fan
   };
 
-  const std::vector<Cut>& cut() const { return cut_; }
+  const std::vector<Cut>& cut() const { return cut_; }          ///< in the document's order
   const std::vector<Block>& blocks() const { return blocks_; }  ///< in the order in which they come back
   bool comes_back(const Block& block, std::size_t e) const {
     return block.count == block.block->count || !names_unknown(*block.block, e);
@@ -41,7 +41,7 @@ class WrittenPart {
   /// The nodes in the order in which they come back.
   std::size_t nodes() const { return all_nodes_ ? document_.points.size() : nodes_.size(); }
   std::size_t node(std::size_t i) const { return all_nodes_ ? i : static_cast<std::size_t>(nodes_[i]); }
-  bool all_nodes() const { return all_nodes_; }  ///< as they are
+  bool all_nodes() const { return all_nodes_; }  ///< all come back, in the document's order
 
  private:
   void find_cut(const ElementBlock& block, const Holds& holds);

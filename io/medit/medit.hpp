@@ -3,10 +3,11 @@
 // Facts: https://github.com/LoicMarechal/libMeshb and meshio's medit module.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 
 namespace tetproof::io {
 
@@ -22,8 +23,6 @@ Document read_medit(const InputFile& file);
 /// Dimension 3, doubles. Text, or binary of version 2; of 3 beyond 2 GiB, of 4 for numbers beyond 32 bits.
 /// Elements are listed by kind; those of an order that Medit does not have by their corners. Elements that
 /// name unknown nodes are left out where their numbers would stand for others.
-void write_medit(AtomicFile& file, const Document& document, bool binary);
-
-Holds medit_holds(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -9,7 +9,7 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/medit/medit_content.hpp"
-#include "io/medit/medit_places.hpp"
+#include "io/medit/medit_plan.hpp"
 #include "io/model/element_types.hpp"
 
 namespace tetproof::io {

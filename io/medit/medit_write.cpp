@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medit's files, text and binary: the same keywords in both, so one writer.
+// Writes Medit's files. Text and binary have the same keywords, so they share a writer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/text_output.hpp"
 #include "io/medit/medit.hpp"
-#include "io/medit/medit_places.hpp"
+#include "io/medit/medit_plan.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 
@@ -20,19 +20,8 @@ namespace {
 
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, bool binary)
-      : file_(file),
-        document_(document),
-        binary_(binary),
-        stay_(medit_numbers_stay(document)),
-        references_(medit_references(document)) {
-    for (const ElementBlock& block : document.blocks) {
-      const MeditPlace place = medit_place(block);
-      if (!place.keyword) continue;
-      const auto at = std::find(medit_elements().begin(), medit_elements().end(), place.keyword);
-      lists_[static_cast<std::size_t>(at - medit_elements().begin())].push_back(&block);
-    }
-  }
+  Writer(AtomicFile& file, const Document& document, const MeditPlan& plan, bool binary)
+      : file_(file), document_(document), plan_(plan), binary_(binary) {}
 
   void write() {
     if (binary_)
@@ -41,7 +30,7 @@ class Writer {
       file_.write("MeshVersionFormatted 2\n\nDimension 3\n");
     vertices();
     for (std::size_t k = 0; k < medit_elements().size(); ++k)
-      if (!lists_[k].empty()) elements(*medit_elements()[k], lists_[k]);
+      if (!plan_.lists[k].empty()) elements(*medit_elements()[k], plan_.lists[k]);
     marks(document_.node_values, true);
     marks(document_.element_values, false);
     std::set<std::string> written;
@@ -56,17 +45,17 @@ class Writer {
 
  private:
   std::int64_t reference(std::size_t node) const {
-    return references_ && !references_->integers.empty() ? references_->integers[node] : 0;
+    return plan_.references && !plan_.references->integers.empty() ? plan_.references->integers[node] : 0;
   }
 
-  // Version 2 while everything fits.
+  // Version 2 if everything fits.
   void header() {
     std::int64_t least = 0, most = 0;
     const auto see = [&](std::int64_t value) {
       least = std::min(least, value), most = std::max(most, value);
     };
-    for (std::size_t i = 0; references_ && i < references_->integers.size(); ++i)
-      see(references_->integers[i]);
+    for (std::size_t i = 0; plan_.references && i < plan_.references->integers.size(); ++i)
+      see(plan_.references->integers[i]);
     for (const std::int64_t number : document_.unknown) see(number);
     for (const ElementBlock& block : document_.blocks) see(medit_reference(document_, block));
     std::size_t size = 1000 + 32 * document_.points.size();
@@ -90,7 +79,7 @@ class Writer {
     number(std::int32_t{3});
   }
 
-  // The keyword and the place of the next one, `bytes` behind this head.
+  // Writes a keyword and the place of the next one, which is `bytes` after this head.
   void start(int code, std::size_t bytes) {
     number(std::int32_t{code});
     const std::size_t next = code == medit_end ? 0 : at_ + (version_ < 3 ? 4 : 8) + bytes;
@@ -112,7 +101,7 @@ class Writer {
     at_ += sizeof(T);
   }
 
-  // Head of a keyword with `count` lines of `row` bytes in binary.
+  // Writes the head of a keyword with `count` lines, in binary of `row` bytes each.
   void head(const MeditKeyword& keyword, std::size_t count, std::size_t row) {
     if (!binary_) {
       file_.write(fmt::format("\n{}\n", keyword.name));
@@ -131,7 +120,7 @@ class Writer {
   void vertices() {
     const std::size_t count = document_.points.size();
     head({medit_vertices, "Vertices", 0, ""}, count, 24 + integer_size());
-    const bool reals = !binary_ && references_ && are_real_medit_references(*references_);
+    const bool reals = !binary_ && plan_.references && are_real_medit_references(*plan_.references);
     write_items(file_, count, 4 * (longest_real + 1), [&](std::size_t i, char* to) {
       const Eigen::Vector3d& p = document_.points[i];
       if (binary_) {
@@ -139,13 +128,13 @@ class Writer {
         return put_integer(to, reference(i));
       }
       for (int k = 0; k < 3; ++k) to = put(put(to, p[k]), ' ');
-      to = reals ? put(to, references_->reals[i]) : put(to, reference(i));
+      to = reals ? put(to, plan_.references->reals[i]) : put(to, reference(i));
       return put(to, '\n');
     });
   }
 
   bool is_written(const Index* nodes, int count) const {
-    return stay_ || std::none_of(nodes, nodes + count, [](Index i) { return i < 0; });
+    return plan_.numbers_stay || std::none_of(nodes, nodes + count, [](Index i) { return i < 0; });
   }
 
   void elements(const MeditKeyword& keyword, const std::vector<const ElementBlock*>& blocks) {
@@ -182,7 +171,7 @@ class Writer {
       if (!is_medit_mark(values, of_nodes) || !written.insert(values.name).second) continue;
       std::vector<std::int64_t> numbers;
       for (const Index at : values.at)
-        if (at < 0 && stay_)
+        if (at < 0 && plan_.numbers_stay)
           numbers.push_back(document_.unknown[static_cast<std::size_t>(-1 - at)]);
         else if (at >= 0 && of_nodes)
           numbers.push_back(std::int64_t{at} + 1);
@@ -197,11 +186,11 @@ class Writer {
     }
   }
 
-  // The number of an element among those of its keyword, from 1; 0: it is none of them.
+  // Returns the number of an element among those of its keyword, from 1; 0: it is not one of them.
   std::int64_t rank_of(std::size_t element, int type) {
     if (ranks_.empty()) {
       ranks_.resize(document_.elements(), 0);
-      for (const auto& blocks : lists_) {
+      for (const auto& blocks : plan_.lists) {
         std::int64_t next = 0;
         for (const ElementBlock* block : blocks)
           for (std::size_t e = 0; e < block->count; ++e)
@@ -218,7 +207,7 @@ class Writer {
 
   void section(const Section& section) {
     if (!binary_) {
-      // A line that begins with a letter would be a keyword.
+      // A line that begins with a letter would be read as a keyword.
       const bool goes_on = !section.body.empty() && is_medit_letter(section.body[0]);
       file_.write(fmt::format("\n{}{}{}\n", section.name, goes_on ? ' ' : '\n', section.body));
       return;
@@ -253,18 +242,31 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const bool binary_, stay_;
-  const Values* references_;
+  const MeditPlan& plan_;
+  const bool binary_;
   int version_ = 2;
   std::size_t at_ = 0;  // bytes written, in binary
-  std::array<std::vector<const ElementBlock*>, 16> lists_{};
   std::vector<std::int64_t> ranks_;
+};
+
+class MeditFilePlan : public OneFilePlan {
+ public:
+  MeditFilePlan(const Document& document, bool binary)
+      : OneFilePlan(document), plan_(medit_plan(document)), binary_(binary) {
+    holds_ = medit_holds(document, plan_, binary);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override { Writer(file, document_, plan_, binary_).write(); }
+
+  const MeditPlan plan_;
+  const bool binary_;
 };
 
 }  // namespace
 
-void write_medit(AtomicFile& file, const Document& document, bool binary) {
-  Writer(file, document, binary).write();
+std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary) {
+  return std::make_unique<MeditFilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

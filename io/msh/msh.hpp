@@ -2,12 +2,11 @@
 // Gmsh's .msh files. Facts: https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format
 #pragma once
 
-#include <string>
+#include <memory>
 
-#include "io/bytes/atomic_file.hpp"
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 
 namespace tetproof::io {
 
@@ -18,16 +17,10 @@ namespace tetproof::io {
 /// are values of none. InputError naming the line or byte for all else.
 Document read_msh(const InputFile& file);
 
-/// Binary numbers are in this machine's byte order, which the file names.
-void write_msh22(AtomicFile& file, const Document& document, bool binary);
-void write_msh40(AtomicFile& file, const Document& document);
-void write_msh41(AtomicFile& file, const Document& document, bool binary);
-
-/// What a .msh file holds where Gmsh looks for it; `format`: "msh22", "msh40" or "msh41". `document` must
-/// outlive what is returned.
-Holds msh_holds(const Document& document, const std::string& format, bool binary);
-
-/// Whether a section that was kept as it stood means the same in a file of this kind.
-bool keeps_section(const Section& section, const std::string& format, bool binary);
+/// Binary numbers are in this machine's byte order, which the file names. What has no place where Gmsh looks
+/// for it goes into a section $TetproofSupplement (io/supplement/supplement.hpp).
+std::unique_ptr<FilePlan> plan_msh22(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_msh40(const Document& document, bool binary);  ///< always text
+std::unique_ptr<FilePlan> plan_msh41(const Document& document, bool binary);
 
 }  // namespace tetproof::io

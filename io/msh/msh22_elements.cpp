@@ -34,13 +34,13 @@ void Elements22::set_entity(std::int64_t entity, const std::vector<std::int64_t>
   partitions_ = sets_(partitions);
 }
 
-// An element in several physical groups stands once for each of them: the last one again, but for its group
-// and its tag. So an element waits until the next one has been read. One with another number of tags is no
-// such copy: our writer has no other way to tell the two apart.
+// The file lists an element in several physical groups once for each of them; these listings differ only in
+// the group and the tag. So an element waits until the next one has been read. An element with another number
+// of tags is not such a copy: our writer has no other way to tell the two apart.
 void Elements22::add(std::int64_t tag, std::span<const Index> nodes) {
   if (repeats_waiting(nodes)) {
     waiting_.groups.push_back(group_);
-    copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where the first one will be
+    copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where its first listing will be
     return;
   }
   finish();
@@ -52,11 +52,11 @@ void Elements22::add(std::int64_t tag, std::span<const Index> nodes) {
   waiting_.nodes.assign(nodes.begin(), nodes.end());
 }
 
-// All but the first and the last one at once, if none repeats the one before it.
+// Adds all but the first and the last element at once, if none repeats the one before it.
 void Elements22::add(const PlainElements22& piece, std::size_t left) {
   const std::size_t count = piece.tags.size();
   std::vector<Index>& all = document_.connectivity;
-  if (all.size() + piece.nodes.size() > all.capacity())  // those left are probably as large as these
+  if (all.size() + piece.nodes.size() > all.capacity())  // the rest probably has elements of the same size
     reserve_in_large_pages(
         all, all.size() + std::max(piece.nodes.size() / count * left, piece.nodes.size() + all.size() / 4));
   const Index* node = piece.nodes.data();
@@ -121,7 +121,7 @@ bool Elements22::repeats_waiting(std::span<const Index> nodes) const {
          std::find(waiting_.groups.begin(), waiting_.groups.end(), group_) == waiting_.groups.end();
 }
 
-// The last block if it is like this one, or else a new one.
+// Returns the last block if it is like this one, else a new block.
 ElementBlock& Elements22::block_of(ElementBlock like) {
   std::vector<ElementBlock>& blocks = document_.blocks;
   if (blocks.empty() || blocks.back().type != like.type || blocks.back().nodes_each != like.nodes_each ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of .msh 1 to 3 as they join a document: like ones after each other are a block, and an element in
-// several physical groups, which stands once for each of them, becomes one.
+// Adds the elements of .msh 1 to 3 to a document. Consecutive elements of one kind become a block. An element
+// in several physical groups, which the file lists once for each of them, becomes one.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@ namespace tetproof::io {
 
 class Elements22 {
  public:
-  /// `copies` gets the tags of elements' further appearances.
+  /// `copies` receives the tags of an element's further listings.
   Elements22(ElementTags kind, Document& document, TagSets& sets, std::vector<ElementTag>& copies);
 
-  // What the elements to come are, until something else is said.
+  // Sets what the next elements are, until it is set anew.
   void set_type(std::int64_t number) { number_ = number; }
   /// Physical, elementary, partitions.
   void set_tags(std::span<const std::int64_t> tags);
-  /// Version 3 tells these instead.
+  /// The same in version 3, which has these instead of the tags.
   void set_entity(std::int64_t entity, const std::vector<std::int64_t>& partitions);
 
   void add(std::int64_t tag, std::span<const Index> nodes);
-  /// `left`: how many elements there are from these on.
+  /// `left`: how many elements are left in the file, these included.
   void add(const PlainElements22& elements, std::size_t left);
-  /// After the last one.
+  /// To be called after the last element.
   void finish();
 
  private:
@@ -42,7 +42,7 @@ class Elements22 {
   };
 
  public:
-  /// How far it has come, to be taken back to.
+  /// A state to which `back_to` can return.
   struct Mark {
     std::vector<ElementBlock> blocks;
     std::size_t elements, nodes, copies;
@@ -63,7 +63,7 @@ class Elements22 {
 
   std::int64_t number_ = -1, group_ = 0, entity_ = 0;
   std::int32_t partitions_ = 0;
-  std::vector<std::int64_t> tags_;  // those last set
+  std::vector<std::int64_t> tags_;  // as last set
   Waiting waiting_;
 };
 

@@ -25,7 +25,7 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
   const auto elements = range_of(document.element_tags, document.first_element, 0, document.elements());
   for (const ElementBlock& block : document.blocks)
     limits.copies += block.count * (groups22(document, block).size() - 1);
-  // Copies are numbered behind all elements, and behind those that data names but that do not exist.
+  // Copies are numbered after all elements, and after those that data names although they do not exist.
   const bool names_elements = !document.element_values.empty() || !document.element_node_values.empty();
   const std::int64_t last = std::max({std::int64_t{0}, elements.second, names_elements ? unknown.second : 0});
   limits.renumber = !fits(unknown) || !fits(elements) ||
@@ -43,9 +43,9 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
     return block.dim == 0 || block.dim == 3 || block.parameters_each == block.dim;
   };
   if (!std::any_of(document.node_blocks.begin(), document.node_blocks.end(), parametric)) return limits;
-  // As they are written: nodes of no block are given to one.
-  const std::vector<NodeBlock> written = plan_entities(document, false).node_blocks;
-  limits.parametric = std::all_of(written.begin(), written.end(), complete);
+  // The blocks as they are written: nodes of no block join one.
+  limits.node_blocks = plan_entities(document).node_blocks;
+  limits.parametric = std::all_of(limits.node_blocks.begin(), limits.node_blocks.end(), complete);
   return limits;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What .msh 2.2 does to a document's numbers; the writer and what is said of it must agree.
+// Plans which numbers a .msh 2.2 file gives to the nodes and elements of a document. The writer and the list
+// of what is held share this plan.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +11,27 @@
 namespace tetproof::io {
 
 struct Msh22Limits {
-  bool renumber = false;  ///< nodes and elements from 1: a tag does not fit the 4 bytes that it has in binary
-  bool parametric =
-      false;  ///< parametric coordinates are written; only when all nodes on curves and surfaces have them
-  std::int64_t first_unknown = 0;  ///< when renumbering: the number of `Document::unknown[0]`; counts up
-  std::int64_t first_copy = 1;     ///< the tag of the first copy of an element in several groups; counts up
-  std::size_t copies = 0;
+  /// Nodes and elements are numbered from 1, because a tag does not fit the 4 bytes that binary has for it.
+  bool renumber = false;
+  /// Parametric coordinates are written. This needs them for all nodes on curves and surfaces.
+  bool parametric = false;
+  /// When renumbering: the number of `Document::unknown[0]`. The others count up from it.
+  std::int64_t first_unknown = 0;
+  /// An element in several groups is written once for each. The tags of these copies count up from this one.
+  std::int64_t first_copy = 1;
+  std::size_t copies = 0;                ///< how many there are, without the first of each element
+  std::vector<NodeBlock> node_blocks{};  ///< covering all nodes, in order; set only if some have parameters
 };
 Msh22Limits msh22_limits(const Document& document, bool binary);
 
-/// The dimension of the entity of elements of a type, which the file does not say.
+/// Returns the dimension of the entity of elements of a type, which the file does not tell.
 int dimension22(int type);
 
-/// The reader looks for an element's further groups in the next elements: for so many at most, since it looks
-/// through them again for each.
+/// How many groups an element can have. The reader looks for an element's further groups in the elements that
+/// follow, and compares each with all groups found so far, hence a limit.
 inline constexpr std::size_t most_groups22 = 1000;
-/// The groups in which the elements of a block are written: each once, at most so many; 0 for none.
+/// Returns the groups in which the elements of a block are written: each once, at most `most_groups22`; 0
+/// alone if there are none.
 std::vector<std::int64_t> groups22(const Document& document, const ElementBlock& block);
 
 }  // namespace tetproof::io

@@ -6,7 +6,7 @@
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh22_limits.hpp"
-#include "io/msh/msh_entities.hpp"
+#include "io/msh/msh_plan.hpp"
 #include "io/msh/msh_write.hpp"
 
 namespace tetproof::io {
@@ -15,11 +15,11 @@ namespace {
 template <bool Binary>
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document)
+  Writer(AtomicFile& file, const Document& document, const Msh22Limits& limits, const Holds& holds)
       : file_(file),
         document_(document),
-        holds_(msh_holds(document, "msh22", Binary)),
-        limits_(msh22_limits(document, Binary)),
+        holds_(holds),
+        limits_(limits),
         tags_{&document, limits_.renumber, limits_.first_unknown} {
     for (const ElementBlock& block : document.blocks)
       if (holds_.nodes_each(block) > 0 && block.count > 0) {
@@ -54,7 +54,7 @@ class Writer {
 
   void parametric_nodes() {
     file_.write(fmt::format("$ParametricNodes\n{}\n", document_.points.size()));
-    for (const NodeBlock& block : plan_entities(document_).node_blocks) {
+    for (const NodeBlock& block : limits_.node_blocks) {
       const int each = std::min(block.parameters_each, block.dim < 3 ? block.dim : 0);
       write_items(file_, block.count, (6 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
         Putter<Binary> out{to};
@@ -82,7 +82,7 @@ class Writer {
       const ElementBlock& block = *blocks_[b];
       marked = b > 0 && !marked && looks_like_a_copy(*blocks_[b - 1], block);
       const std::vector<std::int64_t> groups = groups22(document_, block);
-      std::vector<std::string> middles;  // what stands between an element's tag and its nodes, for each group
+      std::vector<std::string> middles;  // for each group, the numbers between an element's tag and its nodes
       std::size_t longest = 0;
       for (const std::int64_t group : groups) {
         middles.push_back(middle(block, tags_of(block, group, marked)));
@@ -102,7 +102,7 @@ class Writer {
         out.integer(k == 0 ? tags_.element_at(block.first + e)
                            : copy + static_cast<std::int64_t>(e * (groups.size() - 1) + k - 1));
         out.to = std::copy(middles[k].begin(), middles[k].end(), out.to);
-        if (!Binary) out.to[-1] = ' ';  // its line goes on
+        if (!Binary) out.to[-1] = ' ';  // the line goes on
         if (counted) out.integer(each);
         const Index* node = document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(each);
         for (int n = 0; n < each; ++n) out.integer(tags_.node(node[n]));
@@ -121,8 +121,8 @@ class Writer {
     });
   }
 
-  // Whether a reader would take the first element of `next` for the last one of `block` in a further group. A
-  // third or last tag, a 0 that says nothing, then tells that it is another element.
+  // Whether a reader would take the first element of `next` for the last one of `block` in a further group.
+  // If so, one more tag at the end, a 0 without a meaning, tells that it is another element.
   bool looks_like_a_copy(const ElementBlock& block, const ElementBlock& next) const {
     const std::vector<std::int64_t> groups = groups22(document_, block);
     const std::int64_t group = groups22(document_, next)[0];
@@ -138,7 +138,7 @@ class Writer {
 
   static std::int64_t entity_of(const ElementBlock& block) { return block.entity == 0 ? 1 : block.entity; }
 
-  // Physical, elementary, and if there are any the number of partitions and they themselves.
+  // The tags: physical, elementary, and if there are partitions, their number and the partitions.
   std::vector<std::int64_t> tags_of(const ElementBlock& block, std::int64_t group, bool marked) const {
     const auto& partitions = document_.tag_sets[block.partitions];
     std::vector<std::int64_t> tags{group, entity_of(block)};
@@ -157,17 +157,34 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const Holds holds_;
-  const Msh22Limits limits_;
+  const Holds& holds_;
+  const Msh22Limits& limits_;
   const MshTags tags_;
   std::vector<const ElementBlock*> blocks_;  // those that are written
   std::size_t elements_ = 0;
 };
 
+class Msh22FilePlan : public MshFilePlan {
+ public:
+  Msh22FilePlan(const Document& document, bool binary)
+      : MshFilePlan(document), limits_(msh22_limits(document, binary)), binary_(binary) {
+    holds_ = msh22_holds(document, limits_, binary);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override {
+    binary_ ? Writer<true>(file, document_, limits_, holds_).write()
+            : Writer<false>(file, document_, limits_, holds_).write();
+  }
+
+  const Msh22Limits limits_;
+  const bool binary_;
+};
+
 }  // namespace
 
-void write_msh22(AtomicFile& file, const Document& document, bool binary) {
-  binary ? Writer<true>(file, document).write() : Writer<false>(file, document).write();
+std::unique_ptr<FilePlan> plan_msh22(const Document& document, bool binary) {
+  return std::make_unique<Msh22FilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

@@ -6,7 +6,7 @@
 
 #include "io/error.hpp"
 #include "io/msh/msh.hpp"
-#include "io/msh/msh_entities.hpp"
+#include "io/msh/msh_plan.hpp"
 #include "io/msh/msh_write.hpp"
 
 namespace tetproof::io {
@@ -15,13 +15,14 @@ namespace {
 template <bool Binary>
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, bool v40)
+  Writer(AtomicFile& file, const Document& document, const std::string& format, const EntityPlan& plan,
+         const Holds& holds)
       : file_(file),
         document_(document),
-        v40_(v40),
-        format_(v40 ? "msh40" : "msh41"),
-        plan_(plan_entities(document)),
-        holds_(msh_holds(document, format_, Binary)) {
+        v40_(format == "msh40"),
+        format_(format),
+        plan_(plan),
+        holds_(holds) {
     for (std::size_t b = 0; b < document.blocks.size(); ++b)
       if (holds_.nodes_each(document.blocks[b]) > 0 && document.blocks[b].count > 0) blocks_.push_back(b);
   }
@@ -81,7 +82,7 @@ class Writer {
     for (std::int64_t tag : tags) integer(out, tag);
   }
 
-  // Tags of entities and groups are 4 bytes in binary.
+  // Tags of entities and groups have 4 bytes in binary.
   void integer(auto& out, std::int64_t tag) {
     if (Binary && (tag > largest_int || tag < -largest_int - 1))
       throw InputError(
@@ -164,21 +165,42 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const bool v40_;  // whose numbers stand in another order; never binary
-  const std::string format_;
-  const EntityPlan plan_;
-  const Holds holds_;
+  const bool v40_;  // 4.0 has its numbers in another order, and is never binary
+  const std::string& format_;
+  const EntityPlan& plan_;
+  const Holds& holds_;
   std::vector<std::size_t> blocks_;  // those that are written
+};
+
+class Msh4FilePlan : public MshFilePlan {
+ public:
+  Msh4FilePlan(const Document& document, const char* format, bool binary)
+      : MshFilePlan(document), format_(format), binary_(binary), plan_(plan_entities(document)) {
+    holds_ = msh4_holds(document, plan_, format_, binary);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override {
+    if (!has_boxes_) compute_new_boxes(document_, plan_);
+    has_boxes_ = true;
+    binary_ ? Writer<true>(file, document_, format_, plan_, holds_).write()
+            : Writer<false>(file, document_, format_, plan_, holds_).write();
+  }
+
+  const std::string format_;  // "msh40" or "msh41"
+  const bool binary_;
+  EntityPlan plan_;
+  bool has_boxes_ = false;
 };
 
 }  // namespace
 
-void write_msh40(AtomicFile& file, const Document& document) {
-  Writer<false>(file, document, true).write();
+std::unique_ptr<FilePlan> plan_msh40(const Document& document, bool) {
+  return std::make_unique<Msh4FilePlan>(document, "msh40", false);
 }
 
-void write_msh41(AtomicFile& file, const Document& document, bool binary) {
-  binary ? Writer<true>(file, document, false).write() : Writer<false>(file, document, false).write();
+std::unique_ptr<FilePlan> plan_msh41(const Document& document, bool binary) {
+  return std::make_unique<Msh4FilePlan>(document, "msh41", binary);
 }
 
 }  // namespace tetproof::io

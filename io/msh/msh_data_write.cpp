@@ -59,7 +59,7 @@ class Writer {
     const auto components = static_cast<std::size_t>(values.components);
     const std::size_t rows = values.items();
     file_.write(header(name, values, rows));
-    std::vector<std::size_t> start;  // of the values of each element's nodes
+    std::vector<std::size_t> start;  // where the values of each element's nodes start
     std::size_t longest = components;
     if (of == Of::element_node) {
       start.push_back(0);
@@ -83,7 +83,7 @@ class Writer {
     end(name);
   }
 
-  // Text in binary files, too. Values of no view have no time.
+  // The header is text in binary files, too. Values that are not of a view have no time.
   static std::string header(const char* name, const Values& values, std::size_t rows) {
     std::string text =
         fmt::format("${}\n{}\n\"{}\"\n", name, values.interpolation.empty() ? 1 : 2, values.name);
@@ -112,7 +112,7 @@ void write(AtomicFile& file, const MshTags& tags, const Holds& holds, const std:
   if (holds.periodic && !document.periodic.empty()) {
     if (format == "msh41")
       writer.periodic(false);
-    else  // as text even where the rest is binary
+    else  // text even if the rest is binary
       Writer<false>(file, tags).periodic(true);
   }
   if (holds.ghosts && !document.ghost_elements.empty()) writer.ghosts();

@@ -2,30 +2,24 @@
 #include "io/msh/msh_entities.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
+
+#include "io/model/entities.hpp"
 
 namespace tetproof::io {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array<double, 6> empty_box{infinity, infinity, infinity, -infinity, -infinity, -infinity};
-
-void grow(std::array<double, 6>& box, const Eigen::Vector3d& point) {
-  if (!point.allFinite()) return;
-  for (int k = 0; k < 3; ++k) {
-    box[k] = std::min(box[k], point[k]);
-    box[3 + k] = std::max(box[3 + k], point[k]);
-  }
+// Whether a set contains only partitions of an entity. In 2.2 a negative number means a ghost.
+bool are_partitions(const Document& document, std::int32_t set) {
+  const auto& tags = document.tag_sets[set];
+  return std::all_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag > 0; });
 }
 
 class Planner {
  public:
-  Planner(const Document& document, bool with_boxes) : document_(document), with_boxes_(with_boxes) {
+  explicit Planner(const Document& document) : document_(document) {
     for (const Entity& entity : document.entities) {
       plan_.entities.push_back(entity);
       known_.try_emplace({entity.dim, entity.tag}, Belongs{entity.groups, entity.partitions});
@@ -40,20 +34,11 @@ class Planner {
   EntityPlan plan() {
     for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
       const ElementBlock& block = document_.blocks[b];
-      const std::int32_t partitions = are_partitions(block.partitions) ? block.partitions : 0;
+      const std::int32_t partitions = are_partitions(document_, block.partitions) ? block.partitions : 0;
       const std::int64_t tag = tag_for(block.dim, block.entity, {block.groups, partitions});
       plan_.block_tags.push_back(tag);
-      if (tag != block.entity && block.entity != 0 && plan_.changed_blocks++ == 0) plan_.first_changed = b;
-      grow_by(block, tag);
-      if (partitions != 0 && tag != block.entity) grow_by(block, block.entity);
     }
     cover_nodes();
-    for (auto& entity : plan_.entities) {
-      const auto box = new_boxes_.find({entity.dim, entity.tag});
-      if (box == new_boxes_.end()) continue;
-      entity.box = box->second[0] <= box->second[3] ? box->second : std::array<double, 6>{};
-      if (entity.dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
-    }
     std::stable_sort(plan_.entities.begin(), plan_.entities.end(), [](const Entity& a, const Entity& b) {
       return std::pair(a.parent_dim >= 0, a.dim) < std::pair(b.parent_dim >= 0, b.dim);
     });
@@ -70,22 +55,6 @@ class Planner {
     auto operator<=>(const Belongs&) const = default;
   };
 
-  // Ghosts, which 2.2 gives a negative number, are no partitions of an entity.
-  bool are_partitions(std::int32_t set) const {
-    const auto& tags = document_.tag_sets[set];
-    return std::all_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag > 0; });
-  }
-
-  void grow_by(const ElementBlock& block, std::int64_t tag) {
-    const auto box = new_boxes_.find({block.dim, tag});
-    if (box == new_boxes_.end()) return;
-    const std::size_t size = block.count * block.nodes_each;
-    for (std::size_t k = 0; k < size; ++k) {
-      const Index node = document_.connectivity[block.nodes + k];
-      if (node >= 0) grow(box->second, document_.points[node]);
-    }
-  }
-
   std::int64_t tag_for(int dim, std::int64_t tag, Belongs to) {
     if (last_ && std::tie(last_dim_, last_wanted_, last_to_) == std::tie(dim, tag, to)) return last_;
     last_dim_ = dim, last_wanted_ = tag, last_to_ = to;
@@ -95,7 +64,7 @@ class Planner {
   std::int64_t find_tag(int dim, std::int64_t tag, Belongs to) {
     if (const auto renamed = renamed_.find({dim, tag, to}); renamed != renamed_.end()) return renamed->second;
     if (tag != 0) {
-      // Elements of a partition get an entity of their own, with the one that they name as its parent.
+      // Elements of a partition get an entity of their own; its parent is the one that they name.
       const auto [place, is_new] = known_.try_emplace({dim, tag}, Belongs{to.groups, 0});
       if (is_new) add({.dim = dim, .groups = to.groups, .tag = tag});
       if (place->second == to) return tag;
@@ -110,11 +79,11 @@ class Planner {
   }
 
   void add(Entity entity) {
-    if (with_boxes_) new_boxes_[{entity.dim, entity.tag}] = empty_box;
+    plan_.new_entities.emplace_back(entity.dim, entity.tag);
     plan_.entities.push_back(std::move(entity));
   }
 
-  // Nodes that belong to no entity are given to that of the block of the highest dimension.
+  // Nodes of no entity join the entity of the first block of the highest dimension.
   void cover_nodes() {
     int dim = 3;
     std::int64_t tag = 0;
@@ -124,32 +93,23 @@ class Planner {
     const auto give = [&](std::size_t to) {
       if (to <= covered) return;
       if (tag == 0) tag = tag_for(dim, 1, {});
-      add_node_block({.dim = dim, .entity = tag, .first = covered, .count = to - covered});
+      plan_.node_blocks.push_back({.dim = dim, .entity = tag, .first = covered, .count = to - covered});
     };
     for (NodeBlock block : document_.node_blocks) {
       give(block.first);
       covered = block.first + block.count;
       if (block.entity == 0 || !known_.count({block.dim, block.entity}))
         block.entity = tag_for(block.dim, block.entity, {});
-      add_node_block(block);
+      plan_.node_blocks.push_back(block);
     }
     give(document_.points.size());
   }
 
-  void add_node_block(const NodeBlock& block) {
-    plan_.node_blocks.push_back(block);
-    const auto box = new_boxes_.find({block.dim, block.entity});
-    if (box == new_boxes_.end()) return;
-    for (std::size_t i = 0; i < block.count; ++i) grow(box->second, document_.points[block.first + i]);
-  }
-
   const Document& document_;
-  const bool with_boxes_;
   EntityPlan plan_;
   std::map<std::pair<int, std::int64_t>, Belongs> known_;
   std::map<std::tuple<int, std::int64_t, Belongs>, std::int64_t> renamed_;
   std::map<int, std::int64_t> largest_;
-  std::map<std::pair<int, std::int64_t>, std::array<double, 6>> new_boxes_;
   int last_dim_ = -1;
   std::int64_t last_wanted_ = 0, last_ = 0;
   Belongs last_to_;
@@ -157,33 +117,32 @@ class Planner {
 
 }  // namespace
 
-EntityPlan plan_entities(const Document& document, bool with_boxes) {
-  return Planner(document, with_boxes).plan();
+EntityPlan plan_entities(const Document& document) {
+  return Planner(document).plan();
 }
 
-std::vector<Entity> underived_entities(const Document& document) {
-  std::map<std::pair<int, std::int64_t>, std::array<double, 6>> boxes;
-  std::set<std::tuple<int, std::int64_t, std::int32_t>> of_elements;
-  for (const ElementBlock& block : document.blocks) {
-    of_elements.insert({block.dim, block.entity, block.groups});
-    auto& box = boxes.try_emplace({block.dim, block.entity}, empty_box).first->second;
-    for (std::size_t k = 0; k < block.count * block.nodes_each; ++k) {
-      const Index node = document.connectivity[block.nodes + k];
-      if (node >= 0) grow(box, document.points[node]);
-    }
+void compute_new_boxes(const Document& document, EntityPlan& plan) {
+  std::map<std::pair<int, std::int64_t>, EntityBox> boxes;
+  for (const auto& entity : plan.new_entities) boxes[entity] = empty_box;
+  const auto box_of = [&](int dim, std::int64_t tag) {
+    const auto box = boxes.find({dim, tag});
+    return box == boxes.end() ? nullptr : &box->second;
+  };
+  for (std::size_t b = 0; b < document.blocks.size(); ++b) {
+    const ElementBlock& block = document.blocks[b];
+    const std::int64_t tag = plan.block_tags[b];
+    if (EntityBox* box = box_of(block.dim, tag)) grow(*box, document, block);
+    if (block.partitions == 0 || !are_partitions(document, block.partitions) || tag == block.entity) continue;
+    if (EntityBox* parent = box_of(block.dim, block.entity)) grow(*parent, document, block);
   }
-  for (const NodeBlock& block : document.node_blocks)
-    if (const auto box = boxes.find({block.dim, block.entity}); box != boxes.end())
-      for (std::size_t i = 0; i < block.count; ++i) grow(box->second, document.points[block.first + i]);
-  for (auto& [id, box] : boxes)
-    if (id.first == 0) std::copy_n(box.begin(), 3, box.begin() + 3);  // as they are written for points
-  std::vector<Entity> underived;
-  for (const Entity& entity : document.entities)
-    if (!entity.boundary.empty() || entity.parent_dim >= 0 ||
-        !of_elements.count({entity.dim, entity.tag, entity.groups}) ||
-        boxes.at({entity.dim, entity.tag}) != entity.box)
-      underived.push_back(entity);
-  return underived;
+  for (const NodeBlock& block : plan.node_blocks)
+    if (EntityBox* box = box_of(block.dim, block.entity)) grow(*box, document, block);
+  for (Entity& entity : plan.entities) {
+    const EntityBox* box = box_of(entity.dim, entity.tag);
+    if (!box) continue;
+    entity.box = (*box)[0] <= (*box)[3] ? *box : EntityBox{};
+    if (entity.dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
+  }
 }
 
 }  // namespace tetproof::io

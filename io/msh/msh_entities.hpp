@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The entities that a 4.0 or 4.1 file must list: the document's own, and those that its blocks only name.
+// Plans the entities that a .msh 4.0 or 4.1 file must list: those of the document, and those that its blocks
+// only name.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "io/document.hpp"
@@ -10,23 +12,20 @@
 namespace tetproof::io {
 
 struct EntityPlan {
-  std::vector<Entity>
-      entities;  ///< as they are written: those of partitions last, by dimension, new ones last
+  /// As they are written: by dimension, the new ones after the document's, all entities of partitions last.
+  std::vector<Entity> entities;
+  /// Dimension and tag of those that the document does not list. Their boxes are not computed yet.
+  std::vector<std::pair<int, std::int64_t>> new_entities;
   std::int64_t partitions = 0;           ///< how many
   std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
   std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
-  std::size_t changed_blocks =
-      0;  ///< blocks with a tag that had to be another: the same entity in other groups
-  std::size_t first_changed = 0;
 };
 
-/// In 4.0 and 4.1 groups and partitions belong to entities: blocks of one entity with different ones become
-/// different entities. Without boxes, those of new entities are not computed.
-EntityPlan plan_entities(const Document& document, bool with_boxes = true);
+/// In 4.0 and 4.1 groups and partitions belong to entities: blocks of one entity with different groups or
+/// partitions become different entities.
+EntityPlan plan_entities(const Document& document);
 
-/// The document's entities that its elements and nodes alone do not tell: with a boundary, part of a
-/// partition, in groups that their elements are not in, without elements, or with another box than their
-/// elements have.
-std::vector<Entity> underived_entities(const Document& document);
+/// Gives the new entities of a plan the boxes of their elements and nodes. Only the writer needs them.
+void compute_new_boxes(const Document& document, EntityPlan& plan);
 
 }  // namespace tetproof::io

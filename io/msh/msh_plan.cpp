@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What .msh files hold, each version as it is written here.
+#include "io/msh/msh_plan.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,20 +10,18 @@
 #include <string_view>
 
 #include "io/model/element_types.hpp"
-#include "io/msh/msh22_limits.hpp"
-#include "io/msh/msh_entities.hpp"
 #include "io/msh/msh_write.hpp"
 
 namespace tetproof::io {
 namespace {
 
-// Sections that a version gives a meaning of its own.
+// Sections whose meaning depends on the version.
 constexpr std::array<std::string_view, 16> versioned{
     "MeshFormat",      "PhysicalNames", "Nodes",         "Elements",
     "ParametricNodes", "NOD",           "NOE",           "ELM",
     "Entities",        "Periodic",      "PeriodicNodes", "PartitionedEntities",
     "ElementCuts",     "BoundaryLayer", "GhostElements", "Parametrizations"};
-// Those that name nodes or elements, the same way in all versions.
+// Sections that name nodes or elements, in the same way in all versions.
 constexpr std::array<std::string_view, 3> data{"NodeData", "ElementData", "ElementNodeData"};
 
 bool contains(const auto& names, const std::string& name) {
@@ -40,12 +39,12 @@ bool all_differ(const std::vector<std::int64_t>& tags) {
   return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-// Text in double quotes, to the last quote of its line.
+// Whether a text can be written in double quotes. It ends with the last quote of its line.
 bool is_quotable(const std::string& text) {
   return text.find_first_of("\r\n") == text.npos;
 }
 
-// Runs of nodes as a reader puts them together: `merged` if it joins what is alike.
+// Runs of nodes as a reader makes them. `merged`: it joins neighbouring runs of one entity.
 std::vector<NodeBlock> runs_of(const std::vector<NodeBlock>& blocks, bool merged) {
   std::vector<NodeBlock> runs;
   for (const NodeBlock& block : blocks) {
@@ -64,9 +63,32 @@ bool same_runs(const std::vector<NodeBlock>& a, const std::vector<NodeBlock>& b)
   });
 }
 
-void hold_names(const Document& document, Holds& holds) {
+// Whether a section that was kept as it stood means the same in a file of this kind.
+bool keeps_section(const Section& section, const std::string& format, bool binary) {
+  if (section.name == "InterpolationScheme") return true;  // always text
+  const bool same_bytes = section.binary == binary && !(section.binary && section.swapped);
+  if (contains(data, section.name)) return same_bytes;
+  if (contains(versioned, section.name)) return same_bytes && section.format == format;
+  return true;  // no version gives it a meaning
+}
+
+// Whether elements of a block can be written. Where Gmsh's list does not tell how many nodes a type has, only
+// text can, and, polygons and polyhedra apart, only in the version that the elements came in.
+bool has_place_for(const Document& document, const ElementBlock& block, const std::string& format,
+                   bool binary) {
+  if (const ElementType* type = element_type(block.type)) return type->nodes == block.nodes_each;
+  return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
+}
+
+// What is held in the same way by all versions.
+Holds names_and_elements(const Document& document, const std::string& format, bool binary) {
+  Holds holds;
+  holds.kept_in = "$TetproofSupplement";
   holds.name = [](const GroupName& name) { return is_quotable(name.name); };
-  holds.group_names = std::all_of(document.group_names.begin(), document.group_names.end(), holds.name);
+  holds.nodes_each = [&document, format, binary](const ElementBlock& block) {
+    return has_place_for(document, block, format, binary) ? block.nodes_each : 0;
+  };
+  return holds;
 }
 
 void hold_data(const Document& document, const MshTags& tags, const std::string& format, bool binary,
@@ -112,9 +134,10 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
   };
 }
 
-Holds hold22(const Document& document, bool binary) {
-  const Msh22Limits limits = msh22_limits(document, binary);
-  Holds holds;
+}  // namespace
+
+Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool binary) {
+  Holds holds = names_and_elements(document, "msh22", binary);
   holds.node_tags = holds.element_tags = !limits.renumber;
   holds.numbers_all_elements = true;
   if (limits.renumber)
@@ -133,10 +156,9 @@ Holds hold22(const Document& document, bool binary) {
     const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
     return groups.empty() || (groups[0] != 0 && groups == groups22(document, block));
   };
-  holds.node_entities = limits.parametric
-                            ? same_runs(runs_of(document.node_blocks, true),
-                                        runs_of(plan_entities(document, false).node_blocks, true))
-                            : document.node_blocks.empty();
+  holds.node_entities =
+      limits.parametric ? same_runs(runs_of(document.node_blocks, true), runs_of(limits.node_blocks, true))
+                        : document.node_blocks.empty();
   holds.parameters =
       std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [&](const NodeBlock& block) {
         return block.parameters_each == 0 || (limits.parametric && (block.dim == 1 || block.dim == 2) &&
@@ -146,12 +168,14 @@ Holds hold22(const Document& document, bool binary) {
   return holds;
 }
 
+namespace {
+
 bool same(const Entity& a, const Entity& b) {
   return a.dim == b.dim && a.groups == b.groups && a.tag == b.tag && a.boundary == b.boundary &&
          a.parent_dim == b.parent_dim && a.parent == b.parent && a.partitions == b.partitions;
 }
 
-// Whether the document's entities come back in their order, with others between them at most.
+// Whether the document's entities come back in their order. Others may come between them.
 bool holds_entities(const Document& document, const std::vector<Entity>& written, const std::string& format) {
   auto next = written.begin();
   for (const Entity& entity : document.entities) {
@@ -166,9 +190,10 @@ bool holds_entities(const Document& document, const std::vector<Entity>& written
   return true;
 }
 
-Holds hold4(const Document& document, const std::string& format, bool binary) {
-  const EntityPlan plan = plan_entities(document, false);
-  Holds holds;
+}  // namespace
+
+Holds msh4_holds(const Document& document, const EntityPlan& plan, const std::string& format, bool binary) {
+  Holds holds = names_and_elements(document, format, binary);
   holds.node_tags = holds.element_tags = holds.unknown_nodes = true;
   holds.entities = holds_entities(document, plan.entities, format);
   holds.element_entities = true;
@@ -195,31 +220,6 @@ Holds hold4(const Document& document, const std::string& format, bool binary) {
         return block.parameters_each == 0 || block.parameters_each == block.dim;
       });
   hold_data(document, {&document}, format, binary, holds);
-  return holds;
-}
-
-}  // namespace
-
-bool keeps_section(const Section& section, const std::string& format, bool binary) {
-  if (section.name == "InterpolationScheme") return true;  // always text
-  const bool same_bytes = section.binary == binary && !(section.binary && section.swapped);
-  if (contains(data, section.name)) return same_bytes;
-  if (contains(versioned, section.name)) return same_bytes && section.format == format;
-  return true;  // nobody reads anything into it
-}
-
-bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary) {
-  if (const ElementType* type = element_type(block.type)) return type->nodes == block.nodes_each;
-  return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
-}
-
-Holds msh_holds(const Document& document, const std::string& format, bool binary) {
-  Holds holds = format == "msh22" ? hold22(document, binary) : hold4(document, format, binary);
-  holds.kept_in = "$TetproofSupplement";
-  hold_names(document, holds);
-  holds.nodes_each = [&document, format, binary](const ElementBlock& block) {
-    return msh_holds(document, block, format, binary) ? block.nodes_each : 0;
-  };
   return holds;
 }
 

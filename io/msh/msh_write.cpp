@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/msh/msh_write.hpp"
 
+#include "io/supplement/supplement.hpp"
+
 namespace tetproof::io {
 
 std::string msh_header(const char* version, bool binary) {
@@ -31,6 +33,16 @@ std::string msh_kept_sections(const Document& document, const Holds& holds, bool
     text += fmt::format("$End{}\n", section.name);
   }
   return text;
+}
+
+void MshFilePlan::write(const std::string& path, const std::string& supplement) {
+  AtomicFile file(path);
+  if (!supplement.empty()) file.keep_checksum();
+  write_into(file);
+  if (!supplement.empty())
+    file.write(fmt::format("$TetproofSupplement\n{}{}$EndTetproofSupplement\n",
+                           supplement_head({{"", file.checksum()}}), supplement));
+  file.commit();
 }
 
 }  // namespace tetproof::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writers of .msh share: numbers in text and in binary, and the sections that all versions have
-// alike.
+// Shared by the writers of .msh: numbers in text and in binary, and the sections that are the same in all
+// versions.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 
 #include "io/bytes/text_output.hpp"
 #include "io/document.hpp"
+#include "io/file_plan.hpp"
 #include "io/loss/holds.hpp"
 #include "io/msh/msh.hpp"
 
@@ -18,18 +19,18 @@ namespace tetproof::io {
 
 inline constexpr std::int64_t largest_int = std::numeric_limits<std::int32_t>::max();
 
-/// The header, with the number 1 in binary.
+/// Returns the header; in binary, with the number 1.
 std::string msh_header(const char* version, bool binary);
-/// $PhysicalNames; empty if there are none.
+/// Returns $PhysicalNames; empty if there are no names.
 std::string msh_names(const Document& document);
-/// The kept sections that stood before the nodes, or those after them.
+/// Returns the sections that were kept as they stood: those from before the nodes, or those from after them.
 std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes);
 
 /// The numbers under which nodes and elements are written.
 struct MshTags {
   const Document* document;
   bool renumber = false;           ///< from 1
-  std::int64_t first_unknown = 0;  ///< then the number of `Document::unknown[0]`
+  std::int64_t first_unknown = 0;  ///< when renumbering: the number of `Document::unknown[0]`
 
   std::int64_t node(Index i) const {
     if (!renumber) return document->named(i);
@@ -45,13 +46,19 @@ struct MshTags {
   std::int64_t unknown(Index i) const { return first_unknown - 1 - i; }
 };
 
-/// $Periodic, $GhostElements and the sections of data, as far as `holds` has them.
+/// Writes $Periodic, $GhostElements and the sections of data, as far as they are held.
 void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, const std::string& format,
                     bool binary);
 
-/// Whether elements of this block can be written: of types that Gmsh's list does not say the nodes of, only
-/// as text, and but for polygons and polyhedra only in the version that they came in.
-bool msh_holds(const Document& document, const ElementBlock& block, const std::string& format, bool binary);
+/// A plan of one .msh file, with the supplement in a section of its own at the end.
+class MshFilePlan : public FilePlan {
+ public:
+  using FilePlan::FilePlan;
+  void write(const std::string& path, const std::string& supplement) final;
+
+ private:
+  virtual void write_into(AtomicFile& file) = 0;
+};
 
 template <class T>
 char* put_raw(char* to, T value) {
@@ -59,10 +66,10 @@ char* put_raw(char* to, T value) {
   return to + sizeof(T);
 }
 
-/// Numbers one after the other: with blanks between them as text, in binary as they are.
+/// Writes numbers one after the other: as text with blanks between them, or in binary.
 template <bool Binary>
 struct Putter {
-  /// At most so many bytes for each number, its blank included.
+  /// The most bytes that a number needs, its blank included.
   static constexpr std::size_t longest = Binary ? 8 : longest_real + 1;
 
   char* to;
@@ -90,7 +97,7 @@ struct Putter {
   }
 };
 
-/// A line of a few numbers as a string: `fill` is given a Putter.
+/// Returns a line of a few numbers. `fill` puts them into the Putter that it is given.
 template <bool Binary, class Fill>
 std::string line(std::size_t numbers, const Fill& fill) {
   std::string text(numbers * Putter<Binary>::longest + 1, '\0');
@@ -101,7 +108,7 @@ std::string line(std::size_t numbers, const Fill& fill) {
   return text;
 }
 
-/// The least and the largest of `tag(0)` .. `tag(count - 1)`; both 0 if there are none.
+/// Returns the least and the largest of `tag(0)` .. `tag(count - 1)`; both 0 if there are none.
 template <class Tag>
 std::pair<std::int64_t, std::int64_t> range_of(std::size_t count, const Tag& tag) {
   std::int64_t least = 0, most = 0;
@@ -112,8 +119,8 @@ std::pair<std::int64_t, std::int64_t> range_of(std::size_t count, const Tag& tag
   return {least, most};
 }
 
-/// The same of `count` nodes' or elements' tags from `from` on: `tags`, or if that is empty such as count up
-/// from `first`.
+/// The same for the tags of `count` nodes or elements, starting with the one at position `from`. `tags`: all
+/// tags; if empty, the tags count up from `first`.
 inline std::pair<std::int64_t, std::int64_t> range_of(const std::vector<std::int64_t>& tags,
                                                       std::int64_t first, std::size_t from,
                                                       std::size_t count) {

@@ -2,10 +2,11 @@
 // The OBJ format of surfaces.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -29,8 +30,6 @@ SurfaceDocument read_obj(const InputFile& file, Wanted wanted);
 /// OBJ as text, exact: all points, and points, lines and faces by their corners, but for those that name
 /// nodes which do not exist, with all that is read. A group without a name is `g NUMBER`, and comments
 /// tell the numbers of the others if any would get another one.
-void write_obj(AtomicFile& file, const Document& document, bool binary = false);
-
-Holds obj_holds(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_obj(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of OBJ's groups from their words, and words from their numbers.
 #include "io/obj/obj_names.hpp"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ std::optional<std::int64_t> group_number(std::string_view word) {
 
 namespace {
 
-// The word with its first `count` characters as codes, which says the same.
+// Returns the word for a name with its first `count` characters as codes. It means the same.
 std::string with_codes(std::string_view name, std::size_t count) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string word;
@@ -56,7 +55,7 @@ GroupWords::GroupWords(const Document& document) {
       place->second = word;
     }
   }
-  // If the numbers that the words get by themselves are not theirs, all are told.
+  // If a word alone would get another number, comments tell the numbers of all words.
   bool same = true;
   for (const std::string& word : order) same = same && unaided.number_of(word) == known[word];
   if (same) return;

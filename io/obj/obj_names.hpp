@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The groups of OBJ: words in its file, numbers with names in a document.
+// Converts the groups of OBJ, which are words in the file, to and from the numbers with names of a document.
 #pragma once
 
 #include <array>
@@ -17,21 +17,21 @@
 
 namespace tetproof::io {
 
-/// The number of a group without a name; none if the word is a name.
+/// Returns the number of a group without a name; none: the word is a name.
 std::optional<std::int64_t> group_number(std::string_view word);
 
-/// A comment that tells the number of a group with a name, `# group 5 wing`, where it is not the one that the
-/// word would get.
+/// Starts a comment that tells the number of a group with a name, such as `# group 5 wing`. Used where the
+/// word would get another number.
 inline constexpr std::string_view group_comment = "# group ";
 
-/// The words for the groups of the elements that OBJ keeps, each for one number and name.
+/// The words for the groups of those elements that OBJ keeps. Each word stands for one number and name.
 class GroupWords {
  public:
   explicit GroupWords(const Document& document);
   const std::string& word(int dim, std::int64_t group) const { return words_.at({dim, group}); }
-  /// Words whose numbers a comment must tell.
+  /// The words whose numbers comments must tell, with these numbers.
   const std::vector<std::pair<std::string, std::int64_t>>& numbered() const { return numbered_; }
-  /// Whether the name comes back.
+  /// Whether the name of a group comes back.
   bool holds(const GroupName& name) const;
 
  private:
@@ -39,29 +39,29 @@ class GroupWords {
   std::vector<std::pair<std::string, std::int64_t>> numbered_;
 };
 
-/// Numbers groups as they are used, and enters their names.
+/// Numbers groups in the order in which they are used, and adds their names to the document.
 class GroupNumbers {
  public:
-  /// Before the start: a number that stands in the file.
+  /// Before `start`: reserves a number that the file has.
   void take(std::int64_t number) { taken_.insert(number); }
-  /// Before the start: the number of a word.
+  /// Before `start`: sets the number of a word.
   void take(std::string_view word, std::int64_t number) {
     if (numbers_.try_emplace(std::string(word), number).second) taken_.insert(number);
   }
-  /// Before the start: those that comments of the file tell, as `group_comment` says.
+  /// Before `start`: sets the numbers that the file tells in comments (see `group_comment`).
   void take_comments(const InputFile& file);
-  /// From here on sets and names go into `document`.
+  /// From now on, sets and names go into `document`.
   void start(Document& document) {
     document_ = &document;
     sets_.emplace(document);
   }
-  /// The words of the elements to come.
+  /// Sets the words of the next elements.
   void set(std::vector<std::string> words) {
     words_ = std::move(words), cached_.fill(words_.empty() ? 0 : -1);
   }
-  /// The number of a word, which it gets if it has none.
+  /// Returns the number of a word. A word without a number gets one.
   std::int64_t number_of(const std::string& word);
-  /// Their groups, for an element of dimension `dim`: a position in `tag_sets`.
+  /// Returns the groups of the words set, for an element of dimension `dim`: a position in `tag_sets`.
   std::int32_t of(int dim) {
     std::int32_t& cached = cached_[static_cast<std::size_t>(dim)];
     return cached >= 0 ? cached : cached = enter(dim);

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ as text: points, what corners have, and elements below what holds for them.
+// Writes OBJ: points, then values of corners, then elements, each after the statements that apply to it.
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <array>
 #include <bit>
-#include <map>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "io/bytes/tokens.hpp"
 #include "io/obj/obj.hpp"
-#include "io/obj/obj_names.hpp"
+#include "io/obj/obj_plan.hpp"
 #include "io/surface/surface_lines.hpp"
 
 namespace tetproof::io {
 namespace {
 
-// Values of corners as OBJ lists them: each row once, and the number of the row at every corner.
+// Values of corners as OBJ lists them: each row is written once, and every corner names the number of its
+// row.
 struct CornerRows {
   const Values* values = nullptr;
   std::vector<std::size_t> rows;        // the first item with these numbers
@@ -24,8 +23,9 @@ struct CornerRows {
   std::vector<std::size_t> first_item;  // by element; npos: none
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
-  void take(const Values& given, std::size_t elements) {
-    values = &given;
+  CornerRows(const Values* of, std::size_t elements) : values(of) {
+    if (!values) return;
+    const Values& given = *values;
     first_item.assign(elements, npos);
     std::size_t item = 0;
     for (std::size_t i = 0; i < given.nodes.size(); ++i) {
@@ -54,101 +54,14 @@ struct CornerRows {
   }
 };
 
-// Whether these are values of all corners of faces, and of nothing else.
-bool of_corners(const Document& document, const Values& values) {
-  const std::size_t elements = document.elements();
-  if (values.nodes.empty() || values.components < 1 || values.reals.empty() || !values.integers.empty() ||
-      !values.labels.empty() || values.first != 0 || has_step(values))
-    return false;
-  if (values.at.empty() ? values.nodes.size() != elements
-                        : values.nodes.size() != values.at.size() || values.at.size() >= elements)
-    return false;
-  std::size_t items = 0, i = 0;
-  for (const ElementBlock& block : document.blocks) {
-    const bool face = block.dim == 2 && corners_kept(block) == block.nodes_each;
-    for (std::size_t e = block.first; e < block.first + block.count; ++e) {
-      const bool here = values.at.empty() || (i < values.at.size() && values.at[i] == static_cast<Index>(e));
-      if (!here) continue;
-      if (!face || values.nodes[i] != block.nodes_each) return false;
-      items += static_cast<std::size_t>(values.nodes[i++]);
-    }
-  }
-  return i == values.nodes.size() &&
-         values.reals.size() == items * static_cast<std::size_t>(values.components);
-}
-
-// Whether each element has one of the labels, and these stand in the order of their first use.
-bool of_labels(const Document& document, const Values& values) {
-  const std::size_t elements = document.elements();
-  if (values.components != 1 || values.labels.empty() || values.integers.size() != elements || elements == 0)
-    return false;
-  Values numbers;  // whether the rest is plain
-  numbers.integers = values.integers, numbers.first = values.first, numbers.at = values.at;
-  numbers.nodes = values.nodes, numbers.of_view = values.of_view, numbers.time = values.time;
-  numbers.step = values.step, numbers.partition = values.partition, numbers.reals = values.reals;
-  numbers.interpolation = values.interpolation;
-  if (!of_all(numbers, elements)) return false;
-  std::int64_t next = 0;
-  for (const std::int64_t label : values.integers) {
-    if (label < 0 || label > next) return false;
-    next += label == next;
-  }
-  std::unordered_set<std::string_view> different(values.labels.begin(), values.labels.end());
-  return static_cast<std::size_t>(next) == values.labels.size() && different.size() == values.labels.size();
-}
-
-bool is_libraries(const Table& table) {
-  if (table.name != "mtllib" || table.columns.size() != 1) return false;
-  const Column& column = table.columns[0];
-  return column.name == "file" && column.type == "text" && column.components == 1 && column.reals.empty() &&
-         column.integers.empty() && column.lengths.empty() && !column.texts.empty() &&
-         column.texts.size() == table.rows &&
-         std::none_of(column.texts.begin(), column.texts.end(),
-                      [](const std::string& t) { return t.empty(); });
-}
-
-// The values that OBJ has a place for.
-struct Kept {
-  RowsOf behind;  // colours and weights
-  CornerRows texture, normal;
-  const Values *object = nullptr, *material = nullptr, *smoothing = nullptr;
-
-  explicit Kept(const Document& document) : behind(document.points.size()) {
-    for (const Values& values : document.node_values) {
-      const int each = values.components;
-      if (values.integers.empty() &&
-          ((values.name == "color" && (each == 3 || each == 4)) || (values.name == "weight" && each == 1)))
-        behind.add(values);
-    }
-    for (const Values& values : document.element_node_values) {
-      const int each = values.components;
-      const bool is_texture = values.name == "texture" && (each == 2 || each == 3);
-      const bool is_normal = values.name == "normal" && each == 3;
-      CornerRows& place = is_texture ? texture : normal;
-      if ((is_texture || is_normal) && !place.values && of_corners(document, values))
-        place.take(values, document.elements());
-    }
-    for (const Values& values : document.element_values) {
-      if (values.name == "object" && !object && of_labels(document, values)) object = &values;
-      if (values.name == "material" && !material && of_labels(document, values)) material = &values;
-      if (values.name == "smoothing" && !smoothing && values.components == 1 && values.reals.empty() &&
-          of_all(values, document.elements()) &&
-          std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t n) { return n != 0; }))
-        smoothing = &values;
-    }
-  }
-
-  std::vector<const Values*> all(bool elements) const {
-    std::vector<const Values*> held = behind.held();
-    if (elements) held.insert(held.end(), {texture.values, normal.values, object, material, smoothing});
-    return held;
-  }
-};
-
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document)
-      : file_(file), document_(document), kept_(document), words_(document) {}
+  Writer(AtomicFile& file, const Document& document, const ObjPlan& plan)
+      : file_(file),
+        document_(document),
+        plan_(plan),
+        texture_(plan.texture, document.elements()),
+        normal_(plan.normal, document.elements()) {}
 
   void write() {
     write_title(file_, "#", title_in_lines(document_.title) ? document_.title : "");
@@ -157,9 +70,9 @@ class Writer {
         for (const std::string& name : table.columns[0].texts)
           file_.write(fmt::format("mtllib {}\n", encode_name(name)));
     write_points();
-    write_rows("vt", kept_.texture);
-    write_rows("vn", kept_.normal);
-    for (const auto& [word, number] : words_.numbered())
+    write_rows("vt", texture_);
+    write_rows("vn", normal_);
+    for (const auto& [word, number] : plan_.words.numbered())
       file_.write(fmt::format("{}{} {}\n", group_comment, number, word));
     write_elements();
   }
@@ -169,7 +82,7 @@ class Writer {
     write_items(file_, document_.points.size(), 2 + 7 * (longest_real + 1), [&](std::size_t i, char* to) {
       to = put_point(put(to, "v "), document_.points[i]);
       std::size_t row = 0;
-      if (const Values* values = kept_.behind.find(i, row))
+      if (const Values* values = plan_.behind.find(i, row))
         for (int k = 0; k < values->components; ++k)
           to = put(put(to, ' '), values->reals[row * static_cast<std::size_t>(values->components) +
                                                static_cast<std::size_t>(k)]);
@@ -187,34 +100,34 @@ class Writer {
     });
   }
 
-  // Says what holds from this element on and did not before.
+  // Writes the statements that apply from this element on and did not apply before.
   void say_state(const ElementBlock& block, std::size_t element) {
     const auto label = [&](const Values* values, const char* statement, std::int64_t& now) {
       if (!values || values->integers[element] == now) return;
       const std::int64_t before = now;
       now = values->integers[element];
       const std::string& name = values->labels[static_cast<std::size_t>(now)];
-      if (before < 0 && name.empty() && values->labels.size() > 1) return;  // as it is without a statement
+      if (before < 0 && name.empty() && values->labels.size() > 1) return;  // the same as no statement
       file_.write(fmt::format("{}{}{}\n", statement, name.empty() ? "" : " ", encode_name(name, true)));
     };
-    label(kept_.object, "o", object_);
+    label(plan_.object, "o", object_);
     const std::pair<int, std::int32_t> groups{block.dim, block.groups};
     if (groups != groups_ && (block.groups != 0 || groups_.second != 0)) {
       std::string line = "g";
       for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(block.groups)])
-        line.append(" ").append(words_.word(block.dim, group));
+        line.append(" ").append(plan_.words.word(block.dim, group));
       file_.write(line + "\n");
     }
     groups_ = groups;
-    label(kept_.material, "usemtl", material_);
-    if (kept_.smoothing && kept_.smoothing->integers[element] != smoothing_) {
-      smoothing_ = kept_.smoothing->integers[element];
+    label(plan_.material, "usemtl", material_);
+    if (plan_.smoothing && plan_.smoothing->integers[element] != smoothing_) {
+      smoothing_ = plan_.smoothing->integers[element];
       file_.write(smoothing_ == 0 ? "s off\n" : fmt::format("s {}\n", smoothing_));
     }
   }
 
   bool same_state(std::size_t a, std::size_t b) const {
-    for (const Values* values : {kept_.object, kept_.material, kept_.smoothing})
+    for (const Values* values : {plan_.object, plan_.material, plan_.smoothing})
       if (values && values->integers[a] != values->integers[b]) return false;
     return true;
   }
@@ -251,7 +164,7 @@ class Writer {
       };
       for (int k = 0; k < corners; ++k) {
         to = put(put(to, ' '), std::int64_t{run[i].nodes[k]} + 1);
-        const std::int64_t t = row(kept_.texture, k), n = row(kept_.normal, k);
+        const std::int64_t t = row(texture_, k), n = row(normal_, k);
         if (t > 0 || n > 0) to = put(to, '/');
         if (t > 0) to = put(to, t);
         if (n > 0) to = put(put(to, '/'), n);
@@ -262,31 +175,28 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
-  const Kept kept_;
+  const ObjPlan& plan_;
+  const CornerRows texture_, normal_;
   std::int64_t object_ = -1, material_ = -1, smoothing_ = 0;
   std::pair<int, std::int32_t> groups_{2, 0};
-  const GroupWords words_;
+};
+
+class ObjFilePlan : public OneFilePlan {
+ public:
+  explicit ObjFilePlan(const Document& document) : OneFilePlan(document), plan_(document) {
+    holds_ = obj_holds(document, plan_);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override { Writer(file, document_, plan_).write(); }
+
+  const ObjPlan plan_;
 };
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const Document& document, bool) {
-  Writer(file, document).write();
-}
-
-Holds obj_holds(const Document& document, bool) {
-  Holds holds;
-  holds.title = title_in_lines(document.title);
-  holds.nodes_each = corners_kept;
-  holds.tables = document.tables.empty() || (document.tables.size() == 1 && is_libraries(document.tables[0]));
-  const std::vector<const Values*> held = Kept(document).all(keeps_all_elements(document, corners_kept));
-  holds.values = [held](const Values& values, Of) {
-    return std::find(held.begin(), held.end(), &values) != held.end();
-  };
-  holds.groups = Holds::Groups::all;
-  const GroupWords words(document);
-  holds.name = [words](const GroupName& name) { return words.holds(name); };
-  return holds;
+std::unique_ptr<FilePlan> plan_obj(const Document& document, bool) {
+  return std::make_unique<ObjFilePlan>(document);
 }
 
 }  // namespace tetproof::io

@@ -2,10 +2,11 @@
 // The OFF format of surfaces.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -20,8 +21,6 @@ SurfaceDocument read_off(const InputFile& file, Wanted wanted);
 
 /// OFF as text, exact: all points, and faces by their corners, but for those that name nodes which do not
 /// exist; lines and points if the document was read from an OFF; values and title as they are read.
-void write_off(AtomicFile& file, const Document& document, bool binary = false);
-
-Holds off_holds(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_off(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -2,10 +2,11 @@
 // The PLY format of surfaces.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -26,8 +27,6 @@ SurfaceDocument read_ply(const InputFile& file, Wanted wanted);
 /// PLY as text or binary, little endian; exact: numbers are float or double, uchar, short, int or uint, as
 /// small as can be. All points, faces of three and more corners and then lines, but for those that name nodes
 /// which do not exist, and all else that is read.
-void write_ply(AtomicFile& file, const Document& document, bool binary);
-
-Holds ply_holds(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_ply(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -14,7 +14,7 @@
 namespace tetproof::io {
 namespace {
 
-// Names of properties that are one by custom.
+// Properties that customarily are one array of values.
 struct Custom {
   std::string_view name;
   std::array<std::string_view, 4> properties;
@@ -55,7 +55,7 @@ std::vector<PlyGroup> group_properties(const std::vector<std::string>& names, co
 
 namespace {
 
-// `escaped`: such that they are not grouped with others.
+// `escaped`: names that are not grouped with others.
 std::vector<std::string> property_names(const Values& values, bool escaped) {
   const auto count = static_cast<std::size_t>(values.components);
   std::string name = encode_name(values.name);
@@ -83,7 +83,7 @@ bool may_be_named(const std::vector<std::string>& names, const std::set<std::str
 
 using Names = std::map<const Values*, std::vector<std::string>>;
 
-// The last of a part's values that would be read as something else; null for none.
+// Returns the last of a part's values that would be read as something else; null: there are none.
 const Values* misread(const std::vector<const Values*>& part, const Names& named) {
   std::vector<std::string> names;
   std::vector<bool> real;
@@ -122,7 +122,7 @@ std::vector<PlyNamed> named_values(const std::vector<const Values*>& wanted,
     return true;
   };
   for (const Values* values : wanted) name(values, false) || name(values, true);
-  for (bool again = true; again;) {  // what is not read back is escaped first, then left out
+  for (bool again = true; again;) {  // values that would not come back are escaped, then left out
     again = false;
     for (const auto& part : parts)
       if (const Values* values = misread(part, named)) {

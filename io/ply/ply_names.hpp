@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of PLY's properties: which of them are one, and what values are called so that they come back.
+// Names of PLY's properties: which properties together are one array of values, and which names make values
+// come back.
 #pragma once
 
 #include <set>
@@ -10,12 +11,13 @@
 
 namespace tetproof::io {
 
-/// Neighbouring properties that are one: from `first` on, `components` of them.
+/// Neighbouring properties that are one array of values: `components` of them, starting with `first`.
 struct PlyGroup {
   std::string name;
   std::size_t first = 0, components = 1;
 };
-/// Groups single numbers with these names; only those of the same kind, real or integer, go together.
+/// Groups properties of these names that are single numbers. Only properties of one kind, real or integer,
+/// form a group.
 std::vector<PlyGroup> group_properties(const std::vector<std::string>& names, const std::vector<bool>& real);
 
 /// Values and the names of their properties.
@@ -24,10 +26,11 @@ struct PlyNamed {
   std::vector<std::string> names;
 };
 
-/// Names for the properties of `wanted`, no name twice and none of `taken`, such that all of them come back
-/// from every element that has properties for some of them: `parts` says which, in the order in which they
-/// stand there. Where the plain name would not do its first letter is escaped; what has no name then is left
-/// out. Values of two elements with the same properties are read as one, so no two have the same names.
+/// Finds names for the properties of the values in `wanted`, such that all of these values come back from the
+/// file. `parts`: for each element of the file, those of `wanted` that have properties there, in their order.
+/// No name is used twice, and none of `taken`: values in two elements of the file with the same properties
+/// would be read as one. Where the plain name would not do, its first letter is escaped; values that have no
+/// name even then are left out.
 std::vector<PlyNamed> named_values(const std::vector<const Values*>& wanted,
                                    const std::vector<std::vector<const Values*>>& parts,
                                    const std::set<std::string>& taken);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <set>
-#include <tuple>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/tokens.hpp"
@@ -36,8 +34,8 @@ char* put_source(char* to, const PlySource& source, std::size_t i, bool binary) 
 
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, bool binary)
-      : file_(file), document_(document), binary_(binary), plan_(document, binary) {}
+  Writer(AtomicFile& file, const Document& document, const PlyPlan& plan, bool binary)
+      : file_(file), document_(document), plan_(plan), binary_(binary) {}
 
   void write() {
     header();
@@ -81,7 +79,7 @@ class Writer {
     file_.write(text + "end_header\n");
   }
 
-  // Float if every coordinate is one.
+  // Float if every coordinate is exact as a float.
   const PlyType* point_type() const {
     const PlyType* type = document_.points.empty() ? ply_type("double") : ply_type("float");
     for (const Eigen::Vector3d& point : document_.points)
@@ -92,7 +90,7 @@ class Writer {
     return type;
   }
 
-  // The rows of an element: what `start` puts, at most so many bytes, and the properties.
+  // Writes the rows of an element: what `start` puts, at most `longest_start` bytes, then the properties.
   template <class Start>
   void rows(const PlyPart& part, std::size_t longest_start, const Start& start) {
     write_items(file_, part.rows, longest_start + part.longest() + 1, [&](std::size_t i, char* to) {
@@ -132,31 +130,30 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
+  const PlyPlan& plan_;
   const bool binary_;
-  const PlyPlan plan_;
   const PlyType *point_type_ = nullptr, *count_type_ = nullptr;
   int corners_ = 0;
 };
 
+class PlyFilePlan : public OneFilePlan {
+ public:
+  PlyFilePlan(const Document& document, bool binary)
+      : OneFilePlan(document), plan_(document, binary), binary_(binary) {
+    holds_ = ply_holds(document, plan_);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override { Writer(file, document_, plan_, binary_).write(); }
+
+  const PlyPlan plan_;
+  const bool binary_;
+};
+
 }  // namespace
 
-void write_ply(AtomicFile& file, const Document& document, bool binary) {
-  Writer(file, document, binary).write();
-}
-
-Holds ply_holds(const Document& document, bool binary) {
-  const PlyPlan plan(document, binary);
-  Holds holds;
-  holds.title = title_in_lines(document.title);
-  holds.table = [held = plan.held_tables](const Table& table) {
-    return std::find(held.begin(), held.end(), &table) != held.end();
-  };
-  holds.nodes_each = PlyPlan::ply_nodes;
-  holds.kind = [](const ElementBlock& block) { return corners_kept(block) == 2 ? 1 : 0; };
-  holds.values = [held = plan.held](const Values& values, Of) {
-    return std::find(held.begin(), held.end(), &values) != held.end();
-  };
-  return holds;
+std::unique_ptr<FilePlan> plan_ply(const Document& document, bool binary) {
+  return std::make_unique<PlyFilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

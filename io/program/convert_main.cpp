@@ -6,10 +6,10 @@
 
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"
-#include "io/losses.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/describe.hpp"
 #include "io/program/program.hpp"
+#include "io/writing.hpp"
 
 namespace {
 
@@ -38,8 +38,7 @@ int convert(const Choices& choices, const program::Common& common) {
   if (!choices.out.empty() && choices.info) throw InputError("--info writes no file: leave out OUT");
   WriteOptions write = choices.write;
   if (choices.ascii || choices.binary) write.binary = choices.binary;
-  Encoding target;
-  if (!choices.info) target = encoding_of(choices.out, write);  // before a long read
+  if (!choices.info) encoding_of(choices.out, write);  // refuses bad choices before a long read
 
   const Document document = read_document(choices.in);
   for (const std::string& warning : document.warnings) program::say(common, "warning: " + warning);
@@ -50,21 +49,23 @@ int convert(const Choices& choices, const program::Common& common) {
     return program::sound;
   }
 
-  const std::vector<Loss> lost = losses(choices.out, document, write);
+  PlannedFile file(choices.out, document, write);
+  const std::vector<Loss>& lost = file.losses();
   for (const Loss& loss : lost)
     program::say(common, fmt::format("lost: {}: {} ({})", loss.item, loss.count, loss.example));
-  const KeptAside kept = kept_aside(choices.out, document, write);
+  const KeptAside& kept = file.kept_aside();
   for (const Loss& item : kept.items)
     program::say(common,
                  fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
   const bool refused = choices.strict && !lost.empty();
   if (!refused) {
-    const std::string warning = write_warning(choices.out, document, write);
-    if (!warning.empty()) program::say(common, "warning: " + warning);
-    write_document(choices.out, document, write);
+    if (!file.warning().empty()) program::say(common, "warning: " + file.warning());
+    file.write();
   }
-  result["output"] = {
-      {"file", choices.out}, {"format", target.format}, {"binary", target.binary}, {"written", !refused}};
+  result["output"] = {{"file", choices.out},
+                      {"format", file.encoding().format},
+                      {"binary", file.encoding().binary},
+                      {"written", !refused}};
   result["losses"] = json_of(lost);
   result["kept_aside"] = json_of(kept.items);
   if (!kept.items.empty()) result["output"]["kept_in"] = kept.where;

@@ -2,10 +2,11 @@
 // The STL format of surfaces.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -25,8 +26,6 @@ SurfaceDocument read_stl(const InputFile& file, Wanted wanted);
 /// (io/surface/polygons.hpp), but for those that name nodes which do not exist. Binary: coordinates are
 /// rounded to float32, in which one too large becomes infinite; title and "attribute" as they are read. Text,
 /// exact: a solid for each run of elements with the same groups, which tells the first of them.
-void write_stl(AtomicFile& file, const Document& document, bool binary);
-
-Holds stl_holds(const Document& document, bool binary);
+std::unique_ptr<FilePlan> plan_stl(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a format has no place for, as lines of text in a corner of the file that other programs skip: written
-// beside the native part, and put together with it again on reading.
+// The supplement: what a format has no place for, as lines of text in a corner of the file that other
+// programs skip. It is written beside the format's own content, the native part, and joined with it again on
+// reading.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +14,43 @@
 
 namespace tetproof::io {
 
-/// What the native part was when the supplement was written: a file changed since then is believed instead.
+/// Identifies a file of the native part at the time when the supplement was written. If the file has changed
+/// since then, the supplement is ignored and the file is believed.
 struct Checksum {
   std::string ending;       ///< of another file of the set; empty: this file, up to the supplement
-  std::uint32_t crc32 = 0;  ///< as zlib has it
+  std::uint32_t crc32 = 0;  ///< as zlib computes it
 };
 
-/// Lines of printable ASCII without `$` and `#`, none longer than 1000 bytes, each ending in LF: everything
-/// that `holds` says the native part lacks. Empty if it lacks nothing.
+/// Returns everything that the native part lacks according to `holds`, and whatever else the reader needs to
+/// put it back: lines of printable ASCII without `$` and `#`, at most 1000 bytes long, each ending in LF.
+/// Only of use if `unheld` in io/loss/holds.hpp lists something.
 std::string supplement_of(const Document& document, const Holds& holds);
 
-/// The line in front of them.
+/// Returns the line that comes before them.
 std::string supplement_head(const std::vector<Checksum>& checksums);
 
-/// The same lines as comments of a file whose comments start with `#`.
+/// Turns lines into comments for a file whose comments start with `#`.
 std::string as_comments(std::string_view lines);
 
-/// The checksums in the first of `lines`; empty, and a warning, if it is of a version that this reader does
-/// not know.
+/// Returns the checksums in the first of `lines`. If that line is of a version that this reader does not
+/// know, returns none and adds a warning.
 std::vector<Checksum> read_supplement_head(std::string_view lines, Document& native);
 
-/// Puts back into `native`, as its reader made it, what `lines` (with their head) say; nothing
-/// if there are none. Their content is
-/// checked like that of any file; `place` begins the message of the InputError.
+/// Puts what `lines` (with their head) say back into `native`, which is as its reader made it. Without lines,
+/// does nothing. The content is checked like that of any file; the message of the InputError begins with
+/// `place`.
 void take_back(std::string_view lines, const std::string& place, Document& native);
 
-/// The lines that stand in comments at the end of `file`, if any do and the checksums are right: of this
-/// file, and of files called `stem` and an ending. Where they are not it is ignored with a warning.
+/// Returns the lines of the supplement in comments at the end of `file`; empty: there is none. If a checksum,
+/// of this file or of another one whose name is `stem` and an ending, is wrong, the supplement is ignored
+/// with a warning.
 std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native);
 
-/// Whether values of elements in the native part are only for other programs, since the document has none.
+/// Whether the document had no values of elements, so that those in the native part are only for other
+/// programs.
 bool has_no_element_values(std::string_view lines);
 
-/// The warning for a file that was changed after its supplement was written.
+/// Returns the warning for a file that was changed after its supplement was written.
 std::string outdated_supplement(const std::string& path);
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The supplement as comments, for TetGen's files.
+// Writes the supplement as comments, and finds it in them: for TetGen's files.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view start_of_line = "#: ", first_line = "#: tetproof ";
 
-// Where the first line of the supplement begins, which has nothing but comments behind it; npos if there is
-// none. What stands before is not looked at.
+// Returns where the first line of the supplement begins; npos: there is none. Only comments come after that
+// line, so the search goes backwards from the end and does not look at what comes before.
 std::size_t find_start(std::string_view bytes) {
   for (std::size_t end = bytes.size(); end > 0;) {
     const std::size_t feed = bytes.substr(0, end - 1).rfind('\n');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a supplement, read back into the document's parts.
+// Reads the words of a supplement back into the parts of a document.
 #pragma once
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ class Decoder {
     return next;
   }
 
-  /// A number of things of at least two bytes each.
+  /// Reads how many things follow, each of at least two bytes.
   std::size_t count() {
     std::size_t value = 0;
     get(value);

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t longest_line = 900, longest_piece = 200;
 
-// Words, a blank between them, in lines that are not too long.
+// Writes words, separated by blanks, in lines that are not too long.
 class Encoder {
  public:
   template <class... T>
   void operator()(const T&... values) {
     (put_value(values), ...);
   }
-  /// A field of the document that the native part lacks.
+  /// Starts a field of the document that the native part lacks.
   template <class... T>
   void field(std::string_view name, const T&... values) {
     end_line();
@@ -48,7 +48,7 @@ class Encoder {
     char digits[longest_real + 1];
     word({digits, static_cast<std::size_t>(put(digits, value) - digits)});
   }
-  // In pieces, each behind a quotation mark.
+  // A text is written in pieces, each after a quotation mark.
   void put_value(const std::string& text) {
     put_value((text.size() + longest_piece - 1) / longest_piece);
     for (std::size_t at = 0; at < text.size(); at += longest_piece) {
@@ -91,7 +91,8 @@ void put_blocks(Encoder& out, const Document& document, const Holds& holds) {
   }
 }
 
-// Whether the native part has all elements, in this order: else the numbers of values would be others.
+// Whether the native part has all elements in this order. If not, values in it would belong to other
+// elements.
 bool in_order(const Document& document, const Holds& holds) {
   int last = 0;
   for (const ElementBlock& block : document.blocks) {
@@ -116,7 +117,6 @@ void put_all_values(Encoder& out, std::string_view name, const std::vector<Value
 }  // namespace
 
 std::string supplement_of(const Document& document, const Holds& holds) {
-  if (holds.kept_in.empty() || unheld(document, holds).empty()) return {};
   Encoder out;
   std::vector<std::int64_t> written(document.unknown.size());
   for (std::size_t k = 0; k < written.size(); ++k)
@@ -143,7 +143,7 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   if (!holds.regions) out.field("regions", document.regions);
   if (!holds.bounds) out.field("bounds", document.area_bounds, document.length_bounds);
   if (!holds.voronoi) out.field("voronoi", document.voronoi);
-  if (!holds.tables) out.field("tables", document.tables);
+  out.field("tables", document.tables);
   if (!holds.title) out.field("title", document.title);
   out.field("sections", document.sections.size());
   for (const Section& section : document.sections) {

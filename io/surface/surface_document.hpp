@@ -33,8 +33,6 @@ struct SurfaceDocument {
 std::string surface_format(const InputFile& file);
 /// Reads a file of such a format; InputError if it has none.
 SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted);
-void write_surface_document(AtomicFile& file, const Document& document, const std::string& format,
-                            bool binary);
 
 /// Gmsh's type of an element with so many corners: a point, a line, a triangle, ...
 int type_of_corners(std::size_t corners);

@@ -27,11 +27,12 @@
 // are what the file says, counted from its first number.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 #include "io/model/element_types.hpp"
 
 namespace tetproof::io {
@@ -43,22 +44,16 @@ Document read_tetgen(const std::string& path);
 /// several polygons or with holes is refused.
 TriangleSurface read_tetgen_surface(const std::string& path);
 
-/// Writes the mesh: .node and .ele, and of the others those that the document has something for. All of them
-/// appear, or none. `supplement`: what the rest of the document comes to, io/supplement/supplement.hpp; it
-/// stands in comments at the end of the .node. InputError if the file named would have nothing to say.
-void write_tetgen(const std::string& path, const Document& document, const std::string& supplement = {});
-/// Writes the elements with `of_boundary`, or else all of two dimensions, with all points, holes and regions;
-/// and .edge .mtr .var where there is something for them. The supplement stands at its end.
-void write_poly(const std::string& path, const Document& document, const std::string& supplement = {});
-/// Likewise. InputError for a facet of several polygons or with holes, which a .smesh has no way to say.
-void write_smesh(const std::string& path, const Document& document, const std::string& supplement = {});
-
-/// A warning of files that are there already, are not written, and would be read together with what is; or
-/// nothing. `format`: "tetgen", "poly" or "smesh".
-std::string tetgen_left_over(const std::string& path, const Document& document, const std::string& format);
-
-Holds tetgen_holds(const Document& document);
-Holds poly_holds(const Document& document);
-Holds smesh_holds(const Document& document);
+/// A mesh: .node and .ele, and each of the other files that the document has content for. All of them appear,
+/// or none. The supplement (io/supplement/supplement.hpp) goes into comments at the end of the .node.
+/// Writing to a path that names a file of the set for which there is no content is an InputError.
+std::unique_ptr<FilePlan> plan_tetgen(const Document& document, bool binary);
+/// A .poly: the elements with `of_boundary`, or else all of two dimensions, with all points, holes and
+/// regions; and .edge, .mtr, .var where there is content for them. The supplement goes to the end of the
+/// .poly.
+std::unique_ptr<FilePlan> plan_poly(const Document& document, bool binary);
+/// Likewise a .smesh. Writing a facet of several polygons or with holes is an InputError: a .smesh cannot say
+/// it.
+std::unique_ptr<FilePlan> plan_smesh(const Document& document, bool binary);
 
 }  // namespace tetproof::io

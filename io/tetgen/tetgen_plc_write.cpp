@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's .poly and .smesh.
+// Writes TetGen's .poly and .smesh.
 #include <fmt/format.h>
 
 #include "io/error.hpp"
@@ -9,8 +9,8 @@
 namespace tetproof::io {
 namespace {
 
-constexpr std::size_t corners_a_line =
-    64;  // TetGen cuts lines at 2047 bytes, and lets polygons go on in the next
+// TetGen cuts lines at 2047 bytes, and accepts polygons that continue in the next line.
+constexpr std::size_t corners_a_line = 64;
 
 class PlcWriter {
  public:
@@ -22,7 +22,7 @@ class PlcWriter {
     std::size_t count = plan_.polygons.count;
     for (const std::size_t f : plan_.facets) count -= document_.facets[f].polygons - 1;
     file_.write(fmt::format("{} {}\n", count, plan_.facet_markers || plan_.polygon_groups ? 1 : 0));
-    // Runs of polygons that are a facet each, and facets of several.
+    // Runs of polygons each of which is a facet, and between them facets of several polygons.
     std::size_t next = 0;
     for (const std::size_t f : plan_.facets) {
       const Facet& facet = document_.facets[f];
@@ -58,7 +58,7 @@ class PlcWriter {
                });
   }
 
-  // Calls `work` for the parts of blocks that polygons `from` to `to` are in.
+  // Calls `work` for each part of a block that has some of the polygons `from` to `to`.
   template <class Work>
   void each_block(std::size_t from, std::size_t to, const Work& work) {
     for (; from < to;) {
@@ -71,7 +71,7 @@ class PlcWriter {
     }
   }
 
-  // `whole_facets`: each is one; the first of them is polygon `position` of all.
+  // `whole_facets`: each polygon is a facet, and the first is the polygon at `position` among all.
   void polygons(const ElementBlock& block, std::size_t from, std::size_t to, bool whole_facets,
                 std::size_t position) {
     const ElementType* type = element_type(block.type);
@@ -116,28 +116,51 @@ void write_plc(const TetgenPath& set, const Document& document, const TetgenPlan
   TetgenFiles files(set, supplement);
   PlcWriter(files.add(set.ending), document, plan, set.ending == ".smesh").write();
   if (document.points.empty())
-    write_tetgen_nodes(files.add(".node"), document, plan);  // where they are then looked for
+    write_tetgen_nodes(files.add(".node"), document, plan);  // TetGen then looks for them there
   if (plan.edges.count > 0) write_tetgen_edges(files.add(".edge"), document, plan);
   write_tetgen_fields(files, document, plan);
   files.commit();
 }
 
+class PlcFilePlan : public FilePlan {
+ public:
+  PlcFilePlan(const Document& document, const char* format)
+      : FilePlan(document), format_(format), plan_(tetgen_plc_plan(document)) {
+    holds_ = tetgen_plc_holds(document, plan_, format_ == "smesh");
+  }
+  std::string warning(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, format_);
+    std::vector<std::string> written, read{".edge", ".mtr", ".var"};
+    if (plan_.edges.count > 0) written.push_back(".edge");
+    if (plan_.sizes) written.push_back(".mtr");
+    if (plan_.bounds) written.push_back(".var");
+    if (set.ending == ".smesh") read.push_back(".poly");
+    return tetgen_left_over(set, written, read);
+  }
+  void write(const std::string& path, const std::string& supplement) override {
+    if (format_ == "smesh" && !plan_.facets.empty()) {
+      const Facet& facet = document_.facets[plan_.facets[0]];
+      throw InputError(fmt::format(
+          "{}: cannot write it: a facet of {} polygons and {} holes (element {}) has no place in a "
+          ".smesh; write a .poly",
+          path, facet.polygons, facet.holes.size(), document_.element_tag(facet.first)));
+    }
+    write_plc(tetgen_path_to_write(path, format_), document_, plan_, supplement);
+  }
+
+ private:
+  const std::string format_;  // "poly" or "smesh"
+  const TetgenPlan plan_;
+};
+
 }  // namespace
 
-void write_poly(const std::string& path, const Document& document, const std::string& supplement) {
-  write_plc(tetgen_path_to_write(path, "poly"), document, tetgen_plc_plan(document), supplement);
+std::unique_ptr<FilePlan> plan_poly(const Document& document, bool) {
+  return std::make_unique<PlcFilePlan>(document, "poly");
 }
 
-void write_smesh(const std::string& path, const Document& document, const std::string& supplement) {
-  const TetgenPlan plan = tetgen_plc_plan(document);
-  if (!plan.facets.empty()) {
-    const Facet& facet = document.facets[plan.facets[0]];
-    throw InputError(
-        fmt::format("{}: cannot write it: a facet of {} polygons and {} holes (element {}) has no place in a "
-                    ".smesh; write a .poly",
-                    path, facet.polygons, facet.holes.size(), document.element_tag(facet.first)));
-  }
-  write_plc(tetgen_path_to_write(path, "smesh"), document, plan, supplement);
+std::unique_ptr<FilePlan> plan_smesh(const Document& document, bool) {
+  return std::make_unique<PlcFilePlan>(document, "smesh");
 }
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell.
+// Writes the Voronoi diagram as TetGen's .v.node, .v.edge, .v.face and .v.cell.
 #include <fmt/format.h>
 
 #include "io/tetgen/tetgen_write_parts.hpp"
@@ -7,7 +7,7 @@
 namespace tetproof::io {
 namespace {
 
-// A position as a number; none is -1.
+// Returns the number of a position; -1 if there is none.
 std::int64_t number(Index position, std::int64_t first) {
   return position < 0 ? -1 : first + position;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's files of a mesh.
+// Writes TetGen's files of a mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +13,14 @@
 namespace tetproof::io {
 namespace {
 
-// Lines of an .ele, .face or .edge: number, nodes, values or the group in their place, more values.
+// Writes the lines of an .ele, .face or .edge: number, nodes, values (or the group in their place), more
+// values.
 void write_elements(AtomicFile& file, const Document& document, const TetgenPlan& plan,
                     const TetgenList& list, bool groups, const Values* before,
                     const Values* behind = nullptr) {
   const auto each = static_cast<std::size_t>(list.nodes_each);
   const std::size_t longest = (2 + each + columns(before) + columns(behind)) * (longest_real + 1) + 1;
-  // Nodes of tetrahedra of second order are TetGen's; else there are none that change places.
+  // TetGen has an order of its own for the nodes of tetrahedra of second order, and only for these.
   const std::span<const int> order =
       each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   std::size_t written = 0;
@@ -39,14 +40,14 @@ void write_elements(AtomicFile& file, const Document& document, const TetgenPlan
   }
 }
 
-// Lines of a number and values.
+// Writes lines of a number and values.
 void write_values(AtomicFile& file, const TetgenPlan& plan, std::size_t count, const Values& values) {
   write_items(file, count, (1 + columns(&values)) * (longest_real + 1) + 1, [&](std::size_t i, char* to) {
     return put(put_values(put(to, plan.base + static_cast<std::int64_t>(i)), &values, i), '\n');
   });
 }
 
-// Which files a mesh comes to; `named`: the one that the writer was asked for.
+// Which files a mesh is written to. `named`: the one that the writer was asked for.
 std::vector<std::string> endings_of(const TetgenPlan& plan, const std::string& named) {
   std::vector<std::string> endings{".node", ".ele"};
   if (plan.faces.count > 0 || named == ".face") endings.push_back(".face");
@@ -140,8 +141,20 @@ void write_tetgen_fields(TetgenFiles& files, const Document& document, const Tet
   });
 }
 
-void write_tetgen(const std::string& path, const Document& document, const std::string& supplement) {
-  const TetgenPlan plan = tetgen_mesh_plan(document);
+std::string tetgen_left_over(const TetgenPath& set, const std::vector<std::string>& written,
+                             const std::vector<std::string>& read) {
+  std::vector<std::string> left;
+  for (const std::string& ending : read)
+    if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));
+  if (left.empty()) return {};
+  return fmt::format("{}: {} not written, but will be read together with it", fmt::join(left, ", "),
+                     left.size() == 1 ? "is there already and is" : "are there already and are");
+}
+
+namespace {
+
+void write_mesh(const std::string& path, const Document& document, const TetgenPlan& plan,
+                const std::string& supplement) {
   const TetgenPath set = tetgen_path_to_write(path, "tetgen");
   const std::vector<std::string> endings = endings_of(plan, set.ending);
   if (!set.ending.empty() && !is_among(endings, set.ending))
@@ -177,26 +190,29 @@ void write_tetgen(const std::string& path, const Document& document, const std::
   files.commit();
 }
 
-std::string tetgen_left_over(const std::string& path, const Document& document, const std::string& format) {
-  const TetgenPath set = tetgen_path_to_write(path, format);
-  std::vector<std::string> written, read;
-  if (set.is_plc()) {
-    const TetgenPlan plan = tetgen_plc_plan(document);
-    if (plan.edges.count > 0) written.push_back(".edge");
-    if (plan.sizes) written.push_back(".mtr");
-    if (plan.bounds) written.push_back(".var");
-    read = {".edge", ".mtr", ".var"};
-    if (set.ending == ".smesh") read.push_back(".poly");
-  } else {
-    written = endings_of(tetgen_mesh_plan(document), set.ending);
-    read = {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"};
+class MeshFilePlan : public FilePlan {
+ public:
+  explicit MeshFilePlan(const Document& document) : FilePlan(document), plan_(tetgen_mesh_plan(document)) {
+    holds_ = tetgen_mesh_holds(document, plan_);
   }
-  std::vector<std::string> left;
-  for (const std::string& ending : read)
-    if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));
-  if (left.empty()) return {};
-  return fmt::format("{}: {} not written, but will be read together with it", fmt::join(left, ", "),
-                     left.size() == 1 ? "is there already and is" : "are there already and are");
+  std::string warning(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, "tetgen");
+    return tetgen_left_over(
+        set, endings_of(plan_, set.ending),
+        {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"});
+  }
+  void write(const std::string& path, const std::string& supplement) override {
+    write_mesh(path, document_, plan_, supplement);
+  }
+
+ private:
+  const TetgenPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<FilePlan> plan_tetgen(const Document& document, bool) {
+  return std::make_unique<MeshFilePlan>(document);
 }
 
 }  // namespace tetproof::io

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writers of TetGen's files share: a set of files that appear together, and lines of numbers in
-// them.
+// Shared by the writers of TetGen's files: a set of files that appear together, and lines of numbers in them.
 #pragma once
 
 #include <deque>
@@ -15,12 +14,12 @@
 
 namespace tetproof::io {
 
-/// The files of a set, of which the first one added keeps the supplement.
+/// The files of a set. The supplement goes into the first one added.
 class TetgenFiles {
  public:
   TetgenFiles(const TetgenPath& set, const std::string& supplement) : set_(set), supplement_(supplement) {}
   AtomicFile& add(const std::string& ending);
-  /// All of them appear.
+  /// Makes all of them appear.
   void commit();
 
  private:
@@ -30,7 +29,7 @@ class TetgenFiles {
   std::vector<std::string> endings_;
 };
 
-/// The numbers of an item behind a blank each; none for null.
+/// Puts the numbers of an item, each after a blank; nothing if `values` is null.
 inline char* put_values(char* to, const Values* values, std::size_t item) {
   if (!values) return to;
   const std::size_t each = static_cast<std::size_t>(values->components), from = item * each;
@@ -44,12 +43,19 @@ inline std::size_t columns(const Values* values) {
   return values ? static_cast<std::size_t>(values->components) : 0;
 }
 
-/// "COUNT 3 ATTRIBUTES MARKERS" and a line each, as in .node and .poly.
+/// Writes "COUNT 3 ATTRIBUTES MARKERS" and a line for each node, as in .node and .poly.
 void write_tetgen_nodes(AtomicFile&, const Document&, const TetgenPlan&);
-/// An .edge.
+/// Writes an .edge.
 void write_tetgen_edges(AtomicFile&, const Document&, const TetgenPlan&);
-/// .mtr and .var, where there is something for them.
+/// Writes .mtr and .var if there is content for them.
 void write_tetgen_fields(TetgenFiles&, const Document&, const TetgenPlan&);
+/// Writes .v.node, .v.edge, .v.face and .v.cell.
 void write_tetgen_voronoi(TetgenFiles&, const Voronoi&);
+
+/// Returns a warning of old files that would be read together with the new ones: files of the set that exist,
+/// are not among those `written`, and are among those that TetGen and our reader `read`. Empty: there are
+/// none.
+std::string tetgen_left_over(const TetgenPath& set, const std::vector<std::string>& written,
+                             const std::vector<std::string>& read);
 
 }  // namespace tetproof::io

@@ -41,7 +41,7 @@ class Writer {
     if (!std::isfinite(value)) throw std::logic_error("a trace was given a number that is not finite");
     char text[io::longest_real];
     if (value == 0 && std::signbit(value))
-      line_ += "-0.0";  // a JSON reader may take -0 for an integer
+      line_ += "-0.0";  // a JSON reader may read -0 as an integer
     else
       line_.append(text, io::put(text, value));
   }

@@ -3,10 +3,11 @@
 // Facts: "VTK File Formats", https://vtk.org/wp-content/uploads/2015/04/file-formats.pdf, and VTK 9.1.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 
 namespace tetproof::io {
 
@@ -19,12 +20,8 @@ Document read_vtk(const InputFile& file);
 
 /// Version 4.2, which VTK 9, Gmsh 4.8 and meshio read. As in .vtu (see there), but entity tags as
 /// "CellEntityIds". Integers are int where all are such, vtktypeint64 else.
-void write_vtk(AtomicFile& file, const Document& document, bool binary);
-
-Holds vtk_holds(const Document& document, bool binary);
-
-/// VTK 9.1 itself reads no number in text that is not finite, and misreads all that follows it: where `path`
-/// would have one, a sentence that says so; else empty.
-std::string vtk_warning(const std::string& path, const Document& document, bool binary);
+///
+/// Warns of text with numbers that are not finite: VTK 9.1 reads none, and misreads all that follows.
+std::unique_ptr<FilePlan> plan_vtk(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What VTK's two file formats have in common: arrays of points, cells and of neither.
+// A document as VTK's two writers need it: cells, and arrays of points, of cells and of neither.
 #pragma once
 
 #include <deque>
@@ -8,31 +8,11 @@
 #include <vector>
 
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
-#include "io/vtk/vtk_types.hpp"
+#include "io/vtk/vtk_plan.hpp"
 
 namespace tetproof::io {
 
-/// Cells and arrays in VTK's terms, read from a file and not yet checked.
-struct VtkPiece {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::int64_t> connectivity, ends;  ///< `ends`: of each cell in `connectivity`
-  std::vector<std::int64_t> types;
-  std::vector<Column> point_data, cell_data;
-};
-
-/// Appends a piece to the document. Polylines, strips, and cells of many vertices become as many elements as
-/// they have parts; pixels and voxels quadrangles and hexahedra. Cells of types that no document has
-/// (polyhedra, elements of order 3 and more) are left out with a warning. Cell data "entity" (or
-/// "CellEntityIds", as Gmsh calls it) and "group", "group 2", ... become what their names say; strings become
-/// integers with labels. `whole`: the file has this piece only, and numbers that no point has are kept.
-/// InputError naming the cell where numbers contradict each other.
-void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole);
-
-/// An array of neither points nor cells: a table with one column of the same name.
-void add_vtk_field(Document& document, Column&& column);
-
-/// What a writer writes. An array's numbers are reals or integers.
+/// An array as it is written. It has reals, integers or texts.
 struct VtkArray {
   std::string name, type = "Float64";
   int components = 1;
@@ -47,19 +27,16 @@ struct VtkMesh {
   std::vector<std::int64_t> ends;
   std::vector<unsigned char> types;
   std::vector<VtkArray> point_data, cell_data, field_data;
-  std::deque<std::vector<double>> own_reals;  ///< what the arrays of changed values look at
+  std::deque<std::vector<double>> own_reals;  ///< the numbers of arrays that differ from the document's
   std::deque<std::vector<std::int64_t>> own_integers;
 };
 
-/// The document in VTK's terms. `entity_name`: what the array of entity tags is called; it is there when any
-/// is not 0. Values that not all nodes or elements have are filled up: NaN, 0. Elements that name unknown
-/// nodes are left out.
-VtkMesh vtk_mesh(const Document& document, const std::string& entity_name);
+/// Refers to the document. Values that not all nodes or elements have are filled up: NaN, 0. Elements that
+/// name unknown nodes are left out.
+VtkMesh vtk_mesh(const Document& document, const VtkPlan& plan);
 
-/// Where the first number stands that is `wanted`: "a point", `point data "a"`, ...; empty: nowhere.
+/// Returns the place of the first number that is `wanted`: "a point", `point data "a"`, ...; empty: there is
+/// none.
 std::string first_place_of(bool (*wanted)(double), const Document& document, const VtkMesh& mesh);
-
-/// What both formats hold.
-Holds vtk_holds_common(const Document& document);
 
 }  // namespace tetproof::io

@@ -11,7 +11,7 @@
 #include "io/model/node_order.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/vtk/vtk_cells.hpp"
-#include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_piece.hpp"
 
 namespace tetproof::io {
 namespace {

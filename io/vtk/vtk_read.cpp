@@ -9,7 +9,7 @@
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_legacy.hpp"
-#include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's legacy files, text and binary.
+// Writes VTK's legacy files, text and binary.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/text_output.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
 
-// The line has 256 bytes to VTK, its end included.
-constexpr std::size_t longest_title = 255;
-
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, bool binary)
-      : file_(file), document_(document), binary_(binary), mesh_(vtk_mesh(document, "CellEntityIds")) {}
+  Writer(AtomicFile& file, const Document& document, const VtkMesh& mesh, bool binary)
+      : file_(file), document_(document), mesh_(mesh), binary_(binary) {}
 
   void write() {
-    std::string title = document_.title.substr(0, longest_title);
+    std::string title = document_.title.substr(0, longest_vtk_title);
     for (char& c : title)
       if (c == '\n' || c == '\r' || c == '\0') c = ' ';
     file_.write(fmt::format("# vtk DataFile Version 4.2\n{}\n{}\nDATASET UNSTRUCTURED_GRID\n", title,
@@ -134,7 +133,7 @@ class Writer {
     if (binary_) file_.write("\n");
   }
 
-  // `value(i)` of type T for i in 0 .. count-1; in text `components` of them a line.
+  // Writes `value(i)` as type T for i in 0 .. count-1; in text, `components` of them in a line.
   template <class T, class Value>
   void numbers(int components, std::size_t count, const Value& value) {
     if (binary_) {
@@ -162,32 +161,46 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
+  const VtkMesh& mesh_;
   const bool binary_;
-  const VtkMesh mesh_;
+};
+
+class VtkFilePlan : public OneFilePlan {
+ public:
+  VtkFilePlan(const Document& document, bool binary)
+      : OneFilePlan(document), plan_(vtk_plan(document, "CellEntityIds")), binary_(binary) {
+    holds_ = vtk_holds(document, plan_);
+  }
+
+  std::string warning(const std::string& path) override {
+    if (binary_) return {};
+    const std::string where =
+        first_place_of([](double value) { return !std::isfinite(value); }, document_, mesh());
+    return where.empty() ? ""
+                         : fmt::format(
+                               "{}: {} has nan or inf, which VTK itself reads in binary, but not in text, "
+                               "where it misreads all that follows",
+                               path, where);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
+
+  // Made only when it is needed, because it takes memory and `holds` does not need it.
+  const VtkMesh& mesh() {
+    if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
+    return *mesh_;
+  }
+
+  const VtkPlan plan_;
+  const bool binary_;
+  std::optional<VtkMesh> mesh_;
 };
 
 }  // namespace
 
-void write_vtk(AtomicFile& file, const Document& document, bool binary) {
-  Writer(file, document, binary).write();
-}
-
-Holds vtk_holds(const Document& document, bool) {
-  Holds holds = vtk_holds_common(document);
-  holds.title = document.title.size() <= longest_title &&
-                document.title.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos;
-  return holds;
-}
-
-std::string vtk_warning(const std::string& path, const Document& document, bool binary) {
-  if (binary) return {};
-  const std::string where = first_place_of([](double value) { return !std::isfinite(value); }, document,
-                                           vtk_mesh(document, "CellEntityIds"));
-  return where.empty() ? ""
-                       : fmt::format(
-                             "{}: {} has nan or inf, which VTK itself reads in binary, but not in text, "
-                             "where it misreads all that follows",
-                             path, where);
+std::unique_ptr<FilePlan> plan_vtk(const Document& document, bool binary) {
+  return std::make_unique<VtkFilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

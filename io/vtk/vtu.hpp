@@ -2,10 +2,11 @@
 // VTK's XML files of unstructured grids.
 #pragma once
 
-#include "io/bytes/atomic_file.hpp"
+#include <memory>
+
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/loss/holds.hpp"
+#include "io/file_plan.hpp"
 
 namespace tetproof::io {
 
@@ -20,12 +21,8 @@ Document read_vtu(const InputFile& file);
 /// (of entities, besides 0 and 1); tables
 /// become field data. Elements that VTK does not have are written by their corners; those that name unknown
 /// nodes are left out.
-void write_vtu(AtomicFile& file, const Document& document, bool binary);
-
-Holds vtu_holds(const Document& document, bool binary);
-
-/// VTK 9.1 itself reads -inf in text as inf: where `path` would have one, a sentence that says so; else
-/// empty.
-std::string vtu_warning(const std::string& path, const Document& document, bool binary);
+///
+/// Warns of text with -inf: VTK 9.1 reads it as inf.
+std::unique_ptr<FilePlan> plan_vtu(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -8,7 +8,7 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
-#include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_data.hpp"
 #include "io/vtk/vtu_skeleton.hpp"

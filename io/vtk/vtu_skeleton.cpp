@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts a .vtu file into tags and what stands between them.
 #include "io/vtk/vtu_skeleton.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +39,7 @@ class Cutter {
     at_ = std::min(bytes_.find('<', at_), bytes_.size());
     if (bytes_.substr(begin, at_ - begin).find_first_not_of(" \t\r\n") == std::string_view::npos) return;
     if (depth_ == 0 && !skeleton_.tags.empty()) fail("expected the end of the file behind </VTKFile>");
-    // A comma where a comment stood between two texts, which is told below.
+    // A comment between two texts leaves a comma, which becomes an error when the number is read.
     if (!skeleton_.xml.empty() && skeleton_.xml.back() != '>') skeleton_.xml += ',';
     skeleton_.xml += fmt::format("{}", skeleton_.texts.size());
     skeleton_.texts.push_back({begin, at_});
@@ -66,7 +65,7 @@ class Cutter {
     }
     if (at_ == bytes_.size()) fail("expected the end of a tag, found the end of the file");
     std::string_view tag = bytes_.substr(begin, ++at_ - begin);
-    // What pugixml makes of it, roughly.
+    // A rough estimate of the memory that pugixml needs.
     memory_ += 64 + 40 * attributes + tag.size();
     if (memory_ > (std::size_t{64} << 20) + 8 * bytes_.size())
       fail("more tags than a file of this size needs");

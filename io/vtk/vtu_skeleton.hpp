@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The XML of a .vtu file without what stands between its tags: that may be most of many gigabytes, is no XML
-// where it is appended raw, and is kept from the XML parser.
+// Separates the tags of a .vtu file from the content between them. The content may be many gigabytes, and raw
+// appended data is no XML at all, so the XML parser must not see it.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace tetproof::io {
 
-/// The tags of a file, each text between them replaced by its number in `texts`.
+/// The tags of a file. Each text between tags is replaced by its position in `texts`.
 struct VtuSkeleton {
   struct Text {
     std::size_t begin, end;
@@ -20,13 +20,13 @@ struct VtuSkeleton {
   std::string xml;
   std::vector<Text> texts;
   std::vector<std::pair<std::size_t, std::size_t>> tags;  ///< place of each in `xml`, and in the file
-  std::size_t appended = 0;  ///< where appended data begin, behind the underscore; 0: none
+  std::size_t appended = 0;  ///< where appended data begins, after the underscore; 0: there is none
 
-  /// Where in the file a place in `xml` is.
+  /// Returns the place in the file of a place in `xml`.
   std::size_t place(std::ptrdiff_t in_xml) const;
 };
 
-/// InputError for what is no XML, or is more tags than the file's size justifies.
+/// InputError if this is no XML, or has more tags than a file of this size needs.
 VtuSkeleton vtu_skeleton(const InputFile& file);
 
 }  // namespace tetproof::io

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's XML files, written by hand: their bulk is numbers.
+// Writes VTK's XML files. Most of such a file is numbers, so no XML library is used.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <optional>
 #include <string>
 
 #include "io/bytes/text_output.hpp"
 #include "io/bytes/xml_text.hpp"
 #include "io/vtk/vtk_mesh.hpp"
+#include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_data.hpp"
 
@@ -33,16 +34,10 @@ char* put_base64(char* to, const unsigned char* from, std::size_t size) {
   return to;
 }
 
-// Whether the texts can be told from each other: each ends with a zero byte.
-bool are_writable(std::span<const std::string> texts) {
-  return std::none_of(texts.begin(), texts.end(),
-                      [](const std::string& text) { return text.find('\0') != std::string::npos; });
-}
-
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, bool binary)
-      : file_(file), document_(document), binary_(binary), mesh_(vtk_mesh(document, "entity")) {}
+  Writer(AtomicFile& file, const Document& document, const VtkMesh& mesh, bool binary)
+      : file_(file), document_(document), mesh_(mesh), binary_(binary) {}
 
   void write() {
     file_.write(
@@ -73,7 +68,7 @@ class Writer {
     for (const VtkArray& array : arrays) {
       const bool counted = &arrays == &mesh_.field_data;
       if (array.type == "String") {
-        if (are_writable(array.texts)) strings(array);
+        if (are_vtu_strings(array.texts)) strings(array);
       } else {
         with_number_type(array.type, [&](auto like) {
           using T = decltype(like);
@@ -104,7 +99,7 @@ class Writer {
     file_.write("</Array>\n");
   }
 
-  // `value(i)` of type T for i in 0 .. count-1.
+  // Writes `value(i)` as type T for i in 0 .. count-1.
   template <class T, class Value>
   void numbers(const std::string& name, const std::string& type, int components, bool counted,
                std::size_t count, const Value& value) {
@@ -116,7 +111,7 @@ class Writer {
   template <class T, class Value>
   void values(std::size_t count, const Value& value) {
     if (binary_) {
-      // Groups of three values make whole groups of three bytes, so that no padding stands inside.
+      // Three values have a number of bytes that three divides, so that only the end can have padding.
       const std::uint64_t bytes = count * sizeof(T);
       char header[12];
       file_.write(
@@ -143,36 +138,43 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
+  const VtkMesh& mesh_;
   const bool binary_;
-  const VtkMesh mesh_;
+};
+
+class VtuFilePlan : public OneFilePlan {
+ public:
+  VtuFilePlan(const Document& document, bool binary)
+      : OneFilePlan(document), plan_(vtk_plan(document, "entity")), binary_(binary) {
+    holds_ = vtu_holds(document, plan_);
+  }
+
+  std::string warning(const std::string& path) override {
+    if (binary_) return {};
+    const std::string where =
+        first_place_of([](double value) { return std::isinf(value) && value < 0; }, document_, mesh());
+    return where.empty() ? ""
+                         : fmt::format("{}: {} has -inf, which VTK itself reads in text as inf", path, where);
+  }
+
+ private:
+  void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
+
+  // Made only when it is needed, because it takes memory and `holds` does not need it.
+  const VtkMesh& mesh() {
+    if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
+    return *mesh_;
+  }
+
+  const VtkPlan plan_;
+  const bool binary_;
+  std::optional<VtkMesh> mesh_;
 };
 
 }  // namespace
 
-void write_vtu(AtomicFile& file, const Document& document, bool binary) {
-  Writer(file, document, binary).write();
-}
-
-Holds vtu_holds(const Document& document, bool) {
-  Holds holds = vtk_holds_common(document);
-  holds.values = [common = holds.values](const Values& values, Of of) {
-    return common(values, of) && is_xml_text(values.name);
-  };
-  holds.numbers = [common = holds.numbers](const Values& values, Of of) {
-    return is_xml_text(values.name) ? common(values, of) : std::nullopt;
-  };
-  holds.table = [common = holds.table](const Table& table) {
-    return common(table) && is_xml_text(table.name) && are_writable(table.columns[0].texts);
-  };
-  return holds;
-}
-
-std::string vtu_warning(const std::string& path, const Document& document, bool binary) {
-  if (binary) return {};
-  const std::string where = first_place_of([](double value) { return std::isinf(value) && value < 0; },
-                                           document, vtk_mesh(document, "entity"));
-  return where.empty() ? ""
-                       : fmt::format("{}: {} has -inf, which VTK itself reads in text as inf", path, where);
+std::unique_ptr<FilePlan> plan_vtu(const Document& document, bool binary) {
+  return std::make_unique<VtuFilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

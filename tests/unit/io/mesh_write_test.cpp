@@ -9,7 +9,6 @@
 
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
-#include "io/msh/msh.hpp"
 #include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "io/codecs.hpp"
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
-#include "io/msh/msh.hpp"
 #include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 
@@ -279,7 +279,8 @@ TEST(MeshDataWrite, WhatEachVersionHolds) {
           data));
   for (const Version& version : versions) {
     const std::string& format = version.options.format;
-    const io::Holds holds = io::msh_holds(document, format, version.options.binary.value_or(false));
+    const auto plan = io::codec_named(format).plan(document, version.options.binary.value_or(false));
+    const io::Holds& holds = plan->holds();
     EXPECT_EQ(holds.periodic, format == "msh41") << version.name;  // a transformation of two numbers
     EXPECT_EQ(holds.ghosts, format != "msh22") << version.name;
     EXPECT_EQ(holds.entities, format != "msh22") << version.name;
@@ -333,8 +334,9 @@ TEST_P(MeshVersions, HoldEverySample) {
       EXPECT_EQ(test::text_of(again, false), test::text_of(document, false)) << entry.path();
     }
     test::TestFiles::leave_out_supplement(files.path("a.msh"));
-    const io::Holds holds =
-        io::msh_holds(document, GetParam().options.format, GetParam().options.binary.value_or(false));
+    const auto plan =
+        io::codec_named(GetParam().options.format).plan(document, GetParam().options.binary.value_or(false));
+    const io::Holds& holds = plan->holds();
     // Numbers of more than 4 bytes, and a group 0.
     bool all = holds.node_tags && holds.element_tags;
     for (const Values& values : document.node_values) all = all && holds.values(values, io::Of::node);

@@ -90,7 +90,7 @@ TEST(TetgenWrite, TheWholeSet) {
 // Whatever is written comes back as `Holds` says.
 TEST(TetgenWrite, HoldsAllOfItsOwn) {
   const Document document = full();
-  const io::Holds holds = io::tetgen_holds(document);
+  const io::Holds holds = io::plan_tetgen(document, false)->holds();
   EXPECT_TRUE(holds.element_tags && holds.unknown_nodes && holds.bounds && holds.voronoi);
   EXPECT_FALSE(holds.facets || holds.holes || holds.regions);
   for (const Values& values : document.node_values)
@@ -112,7 +112,7 @@ TEST(TetgenWrite, HoldsNoValuesOfOtherElementsOrKinds) {
   document.node_values.back().at = {0, 3};
   document.element_values = {integers("markers", 1, 1, {1}), integers("markers", 1, 0, {1, 2, 3, 4}),
                              integers("neighbours", 3, 0, {1, 2, 3}), reals("attributes", 1, {1, 2})};
-  const io::Holds holds = io::tetgen_holds(document);
+  const io::Holds holds = io::plan_tetgen(document, false)->holds();
   for (const Values& values : document.node_values)
     EXPECT_FALSE(holds.values(values, io::Of::node)) << values.name;
   for (const Values& values : document.element_values)
@@ -128,10 +128,10 @@ TEST(TetgenWrite, HoldsNoValuesOfOtherElementsOrKinds) {
 TEST(TetgenWrite, VoronoiThatItsFilesCannotSay) {
   Document document = full();
   document.voronoi.cells = {{-1, 0}};
-  EXPECT_FALSE(io::tetgen_holds(document).voronoi);
+  EXPECT_FALSE(io::plan_tetgen(document, false)->holds().voronoi);
   document.voronoi.cells.clear();
   document.voronoi.first = 7;
-  EXPECT_FALSE(io::tetgen_holds(document).voronoi);
+  EXPECT_FALSE(io::plan_tetgen(document, false)->holds().voronoi);
 }
 
 Document second_order(bool first_order_faces) {
@@ -200,7 +200,7 @@ TEST(TetgenWrite, SecondOrderInAnotherOrder) {
 TEST(TetgenWrite, FirstOrderBesideSecondOrder) {
   const test::TestFiles files;
   const Document document = second_order(true);
-  const io::Holds holds = io::tetgen_holds(document);
+  const io::Holds holds = io::plan_tetgen(document, false)->holds();
   EXPECT_TRUE(holds.values(document.element_values[0], io::Of::element));
   EXPECT_FALSE(holds.values(document.element_values[1], io::Of::element));
   EXPECT_FALSE(holds.values(document.element_values[3], io::Of::element));
@@ -216,7 +216,7 @@ TEST(TetgenWrite, KindByKind) {
   std::swap(document.blocks[0], document.blocks[2]);  // an edge, two faces, a tetrahedron
   document.blocks[0].first = 0, document.blocks[1].first = 1, document.blocks[2].first = 3;
   document.element_values.clear();
-  EXPECT_FALSE(io::tetgen_holds(document).element_tags);
+  EXPECT_FALSE(io::plan_tetgen(document, false)->holds().element_tags);
   write_document(files.path("a.ele"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 0\n0 0 1 2 3\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 0\n0 2 3\n");
@@ -261,7 +261,7 @@ TEST(TetgenWrite, Poly) {
             "3 1\n1 0 1\n3 1 2 3\n3 1 -2\n4 1 2 3 4\n3 5 6 7\n2 1 5\n1 1.25 1.25 0\n1 0 3\n6 1 2 3 4 5 6\n"
             "1\n1 1 2 3\n1\n1 1 1 1 2.25 -1\n");
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.poly"))), test::tetgen_text(document));
-  const io::Holds holds = io::poly_holds(document);
+  const io::Holds holds = io::plan_poly(document, false)->holds();
   EXPECT_TRUE(holds.facets && holds.holes && holds.regions && holds.element_tags);
   EXPECT_TRUE(holds.values(document.element_values[0], io::Of::element));
   for (const ElementBlock& block : document.blocks) EXPECT_EQ(holds.nodes_each(block), block.nodes_each);
@@ -285,11 +285,11 @@ TEST(TetgenWrite, Smesh) {
 TEST(TetgenWrite, AFacetHasOneMarker) {
   Document document = boundary();
   document.element_values[0].integers[2] = 8;
-  const io::Holds holds = io::poly_holds(document);
+  const io::Holds holds = io::plan_poly(document, false)->holds();
   EXPECT_TRUE(holds.facets);
   EXPECT_FALSE(holds.values(document.element_values[0], io::Of::element));
   document.facets[0].polygons = 9;  // more than there are
-  EXPECT_FALSE(io::poly_holds(document).facets);
+  EXPECT_FALSE(io::plan_poly(document, false)->holds().facets);
 }
 
 // TetGen cuts lines at 2047 bytes.
@@ -357,15 +357,15 @@ TEST(TetgenWrite, GroupsAreTetgensAttributesAndMarkers) {
 TEST(TetgenWrite, SaysWhichFilesAreLeftOver) {
   const test::TestFiles files;
   Document document = full();
-  EXPECT_EQ(io::tetgen_left_over(files.path("a.node"), document, "tetgen"), "");
+  EXPECT_EQ(write_warning(files.path("a.node"), document), "");
   for (const char* name : {"a.vol", "a.edge", "a.poly", "a.off"}) files.write(name, "");
-  EXPECT_EQ(io::tetgen_left_over(files.path("a.node"), document, "tetgen"), "");
+  EXPECT_EQ(write_warning(files.path("a.node"), document), "");
   document.element_values.clear();
   const std::string folder = files.path("");
-  EXPECT_EQ(io::tetgen_left_over(files.path("a.node"), document, "tetgen"),
+  EXPECT_EQ(write_warning(files.path("a.node"), document),
             folder + "a.vol: is there already and is not written, but will be read together with it");
   document.blocks.pop_back();
-  EXPECT_EQ(io::tetgen_left_over(files.path("a.smesh"), document, "smesh"),
+  EXPECT_EQ(write_warning(files.path("a.smesh"), document),
             folder + "a.edge, " + folder +
                 "a.poly: are there already and are not written, but will be read together with it");
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of formats: for each, who reads it and who plans how to write it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+#include "io/file_plan.hpp"
+#include "io/mesh_files.hpp"
+
+namespace tetproof::io {
+
+/// A format with its reader and its planner.
+struct Codec {
+  Format format;
+  Document (*read)(const std::string& path);
+  /// `binary`: the encoding, which must be one that the format has. The plan refers to the document.
+  std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
+};
+
+/// All formats, in the order of `formats()`.
+const std::vector<Codec>& codecs();
+/// Returns the codec called `name`, which must be a name of `formats()`.
+const Codec& codec_named(const std::string& name);
+
+}  // namespace tetproof::io

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/stl/stl_plan.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "io/stl/stl.hpp"
+#include "io/surface/polygons.hpp"
+#include "io/surface/surface_document.hpp"
+
+namespace tetproof::io {
+namespace {
+
+StlGroup group_of(const Document& document, const ElementBlock& block) {
+  const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+  if (groups.empty()) return {};
+  for (const GroupName& name : document.group_names)
+    if (name.dim == block.dim && name.group == groups[0]) return {name.name, groups[0]};
+  return {"", groups[0]};
+}
+
+bool new_solid(const ElementBlock& last, const ElementBlock& block) {
+  return last.groups != block.groups || last.dim != block.dim;
+}
+
+std::vector<StlSolid> solids_of(const Document& document) {
+  std::vector<StlSolid> solids;
+  const ElementBlock* last = nullptr;
+  for (const ElementBlock& block : document.blocks) {
+    if (corners_kept(block) < 3 || block.count == 0) continue;
+    if (!last || new_solid(*last, block)) solids.push_back({group_of(document, block), {}});
+    last = &block;
+    solids.back().blocks.push_back(&block);
+  }
+  // A group that no element is in, but that has a name, becomes an empty solid.
+  for (const GroupName& name : document.group_names) {
+    const bool used = std::any_of(solids.begin(), solids.end(),
+                                  [&](const StlSolid& solid) { return solid.group.number == name.group; });
+    if (name.dim == 2 && name.group != 0 && !name.name.empty() && !used)
+      solids.push_back({{name.name, name.group}, {}});
+  }
+  return solids;
+}
+
+const Values* attributes_of(const Document& document) {
+  for (const Values& values : document.element_values)
+    if (values.name == "attribute" && values.components == 1 && values.reals.empty() &&
+        of_all(values, document.elements()) &&
+        std::all_of(values.integers.begin(), values.integers.end(),
+                    [](std::int64_t a) { return a >= 0 && a <= 65535; }) &&
+        std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t a) { return a != 0; }))
+      return &values;
+  return nullptr;
+}
+
+bool triangles_only(const ElementBlock& block) {
+  return corners_kept(block) == 3;
+}
+
+}  // namespace
+
+std::ptrdiff_t start_of_fan(const std::vector<Eigen::Vector3d>& points, const Index* nodes, std::size_t n) {
+  return n == 3 ? 0 : fan_of({nodes, n}, points).start;
+}
+
+StlPlan stl_plan(const Document& document) {
+  return {solids_of(document), attributes_of(document)};
+}
+
+Holds stl_holds(const Document& document, const StlPlan& plan, bool binary) {
+  Holds holds;
+  holds.which_nodes = Holds::Nodes::of_elements;
+  holds.nodes_by_place = true;
+  holds.single = binary;
+  holds.nodes_each = [](const ElementBlock& block) { return triangles_only(block) ? 3 : 0; };
+  holds.cut_at = [&document](const ElementBlock& block, const Index* nodes) -> std::ptrdiff_t {
+    const int corners = corners_kept(block);
+    if (corners < 4 || !nodes_exist(nodes, block.nodes_each)) return -1;
+    return start_of_fan(document.points, nodes, static_cast<std::size_t>(corners));
+  };
+  holds.title = document.title.empty() ||
+                (binary && document.title == stl_title(document.title) && document.title.size() <= 80);
+  const bool all = keeps_all_elements(document, holds.nodes_each);
+  const Values* attributes = binary && all ? plan.attributes : nullptr;
+  holds.values = [attributes](const Values& values, Of) { return &values == attributes; };
+
+  if (binary) return holds;
+  holds.groups = Holds::Groups::first;
+  std::set<std::pair<std::int64_t, std::string>> names;
+  for (const StlSolid& solid : plan.solids)
+    if (!solid.group.name.empty()) names.insert({solid.group.number, solid.group.name});
+  holds.name = [names](const GroupName& name) {
+    return name.dim == 2 && names.count({name.group, name.name}) > 0;
+  };
+  return holds;
+}
+
+}  // namespace tetproof::io

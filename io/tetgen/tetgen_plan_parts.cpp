@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/tetgen/tetgen_plan_parts.hpp"
+
+#include <algorithm>
+
+namespace tetproof::io {
+namespace {
+
+bool is_plain(const Values& values, const char* name) {
+  return values.name == name && values.at.empty() && values.nodes.empty() && values.labels.empty() &&
+         !values.of_view && values.reals.empty() != values.integers.empty();
+}
+
+bool has_columns(const Values& values, std::size_t items, bool reals, int components) {
+  return values.components >= 1 && (components == 0 || values.components == components) &&
+         values.reals.empty() != reals &&
+         values.size() == items * static_cast<std::size_t>(values.components);
+}
+
+const Values* node_values(const Document& document, const char* name, bool reals, int components) {
+  if (document.points.empty()) return nullptr;
+  for (const Values& values : document.node_values)
+    if (is_plain(values, name) && values.first == 0 &&
+        has_columns(values, document.points.size(), reals, components))
+      return &values;
+  return nullptr;
+}
+
+}  // namespace
+
+bool has_shape(const ElementBlock& block, Shape shape) {
+  const ElementType* type = element_type(block.type);
+  return type && type->shape == shape;
+}
+
+void add_block(TetgenList& list, const ElementBlock& block) {
+  if (block.count == 0) return;
+  list.blocks.push_back(&block);
+  list.count += block.count;
+}
+
+bool is_run(const TetgenList& list, std::size_t first) {
+  for (const ElementBlock* block : list.blocks) {
+    if (block->first != first) return false;
+    first += block->count;
+  }
+  return true;
+}
+
+bool counts_up(const Document& document, std::int64_t base, std::initializer_list<const TetgenList*> lists) {
+  for (const TetgenList* list : lists)
+    for (const ElementBlock* block : list->blocks)
+      for (std::size_t e = 0; e < block->count; ++e)
+        if (document.element_tag(block->first + e) != base++) return false;
+  return true;
+}
+
+const Values* values_of(const Document& document, const TetgenList& list, const char* name, bool reals,
+                        int components) {
+  if (list.count == 0 || !is_run(list, list.blocks[0]->first)) return nullptr;
+  for (const Values& values : document.element_values)
+    if (is_plain(values, name) && values.first == list.blocks[0]->first &&
+        has_columns(values, list.count, reals, components))
+      return &values;
+  return nullptr;
+}
+
+bool tells_groups(const Document& document, const TetgenList& list, const char* name) {
+  return std::none_of(document.element_values.begin(), document.element_values.end(),
+                      [&](const Values& values) { return values.name == name; }) &&
+         std::any_of(list.blocks.begin(), list.blocks.end(), [&](const ElementBlock* block) {
+           return !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
+         });
+}
+
+TetgenPlan plan_of_nodes(const Document& document) {
+  TetgenPlan plan;
+  plan.renumber_nodes = !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
+  plan.base = plan.renumber_nodes ? 1 : document.first_node;
+  plan.attributes = node_values(document, "attributes", true, 0);
+  plan.markers = node_values(document, "markers", false, 1);
+  plan.sizes = node_values(document, "sizes", true, 0);
+  if (plan.sizes && plan.sizes->components != 1 && plan.sizes->components != 3 && plan.sizes->components != 6)
+    plan.sizes = nullptr;
+  plan.bounds = !document.area_bounds.empty() || !document.length_bounds.empty();
+  return plan;
+}
+
+void plan_edge_values(const Document& document, TetgenPlan& plan) {
+  plan.edge_markers = values_of(document, plan.edges, "markers", false, 1);
+  plan.edge_tets = values_of(document, plan.edges, "neighbours", false, 1);
+  plan.edge_groups = tells_groups(document, plan.edges, "markers");
+  // Values with the same name are told apart by their order, and those of edges are read last.
+  const Values* const before = plan.plc ? plan.facet_markers : plan.face_markers;
+  if (plan.edge_markers < before) plan.edge_markers = nullptr;
+}
+
+Holds tetgen_holds_of_values(const Document& document, const TetgenPlan& plan) {
+  Holds holds;
+  holds.element_tags = !plan.renumber_elements;
+  holds.node_tags = !plan.renumber_nodes;
+  holds.unknown_nodes = true;
+  holds.unknown_number = [&document, base = plan.base](std::size_t k) {
+    return tetgen_unknown(document, base, k);
+  };
+  holds.kept_in = "comments";
+  holds.bounds = true;
+  std::vector<const Values*> held{plan.attributes,    plan.markers,      plan.sizes,      plan.tet_attributes,
+                                  plan.volume_bounds, plan.neighbours,   plan.tet_faces,  plan.tet_edges,
+                                  plan.face_markers,  plan.face_tets,    plan.face_edges, plan.edge_markers,
+                                  plan.edge_tets,     plan.facet_markers};
+  held.erase(std::remove(held.begin(), held.end(), nullptr), held.end());
+  holds.values = [held](const Values& values, Of of) {
+    return of != Of::element_node && std::find(held.begin(), held.end(), &values) != held.end();
+  };
+  return holds;
+}
+
+}  // namespace tetproof::io

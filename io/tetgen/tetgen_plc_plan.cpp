@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plans which elements of a document become polygons and edges of a .poly or .smesh.
+#include <algorithm>
+
+#include "io/model/element_types.hpp"
+#include "io/tetgen/tetgen_plan.hpp"
+#include "io/tetgen/tetgen_plan_parts.hpp"
+
+namespace tetproof::io {
+namespace {
+
+enum class PlcPart { facets, edges, none };
+
+bool says_boundary(const Document& document) {
+  return std::any_of(document.blocks.begin(), document.blocks.end(),
+                     [](const ElementBlock& block) { return block.of_boundary && block.count > 0; });
+}
+
+// Where the elements of a block go. `said`: the document says which elements are of the boundary.
+PlcPart part_of(const ElementBlock& block, bool said) {
+  const ElementType* type = element_type(block.type);
+  const bool has_corners = type ? type->dim <= 2 && type->shape != Shape::other : block.type == polygon;
+  if (!has_corners || block.nodes_each < 1) return PlcPart::none;
+  if (said ? block.of_boundary : !type || type->dim == 2) return PlcPart::facets;
+  return !block.of_boundary && has_shape(block, Shape::line) ? PlcPart::edges : PlcPart::none;
+}
+
+}  // namespace
+
+TetgenPlan tetgen_plc_plan(const Document& document) {
+  TetgenPlan plan = plan_of_nodes(document);
+  plan.plc = true;
+  const bool said = says_boundary(document);
+  for (const ElementBlock& block : document.blocks)
+    if (const PlcPart part = part_of(block, said); part != PlcPart::none)
+      add_block(part == PlcPart::facets ? plan.polygons : plan.edges, block);
+  plan.edges.nodes_each = 2;
+  plan.renumber_elements = !counts_up(document, plan.base, {&plan.polygons, &plan.edges});
+  plan.facet_markers = values_of(document, plan.polygons, "markers", false, 1);
+  plan_edge_values(document, plan);
+
+  const bool run = plan.polygons.count > 0 && is_run(plan.polygons, plan.polygons.blocks[0]->first);
+  std::size_t next = run ? plan.polygons.blocks[0]->first : 0;
+  const std::size_t end = run ? next + plan.polygons.count : 0;
+  for (std::size_t f = 0; f < document.facets.size(); ++f) {
+    const Facet& facet = document.facets[f];
+    if (facet.first < next || facet.first >= end || facet.polygons < 1 ||
+        facet.polygons > end - facet.first || (facet.polygons == 1 && facet.holes.empty())) {
+      plan.facets_as_said = false;
+      continue;
+    }
+    plan.facets.push_back(f);
+    next = facet.first + facet.polygons;
+    if (!plan.facet_markers) continue;
+    const std::int64_t* marker =
+        plan.facet_markers->integers.data() + (facet.first - plan.facet_markers->first);
+    if (std::any_of(marker, marker + facet.polygons, [&](std::int64_t m) { return m != *marker; }))
+      plan.facet_markers = nullptr;  // a facet has one marker
+  }
+  plan.polygon_groups = plan.facets.empty() && tells_groups(document, plan.polygons, "markers");
+  return plan;
+}
+
+Holds tetgen_plc_holds(const Document& document, const TetgenPlan& plan, bool smesh) {
+  Holds holds = tetgen_holds_of_values(document, plan);
+  holds.facets = plan.facets_as_said && !smesh;
+  holds.holes = holds.regions = holds.boundary = true;
+  const bool said = says_boundary(document);
+  holds.makes_boundary = !said;
+  holds.nodes_each = [said](const ElementBlock& block) {
+    const PlcPart part = part_of(block, said);
+    const ElementType* type = element_type(block.type);
+    return part == PlcPart::none ? 0 : type ? type->corners : block.nodes_each;
+  };
+  holds.kind = [said](const ElementBlock& block) { return part_of(block, said) == PlcPart::edges ? 1 : 0; };
+  return holds;
+}
+
+}  // namespace tetproof::io

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plans which arrays of VTK's two file formats store which parts of a document, and under which names. The
+// writers and the list of what is held share this plan.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+#include "io/loss/holds.hpp"
+
+namespace tetproof::io {
+
+struct VtkPlan {
+  std::string entities;    ///< the name of the cell data that has the tags of entities; empty: there is none
+  std::size_t groups = 0;  ///< how many arrays of cell data have physical groups: the most of any element
+  std::vector<std::string> node_values,
+      element_values;  ///< the names of the arrays of each of the document's
+
+  /// A column of a table, which is written as field data.
+  struct Field {
+    const Table* table;
+    const Column* column;
+    std::string name;
+  };
+  std::vector<Field> fields;
+};
+/// `entities`: the name of the array of entity tags, if there is one.
+VtkPlan vtk_plan(const Document& document, const std::string& entities);
+
+/// Returns the name of the array with the k-th group of each element, from 0.
+std::string vtk_group_array(std::size_t k);
+/// Whether there is one value for each of `items` nodes or elements, in their order.
+bool covers(const Values& values, std::size_t items);
+
+/// What the legacy format holds, and what the XML format holds.
+Holds vtk_holds(const Document& document, const VtkPlan& plan);
+Holds vtu_holds(const Document& document, const VtkPlan& plan);
+
+/// The most bytes of a title in a legacy file. VTK's limit for the line is 256, its end included.
+inline constexpr std::size_t longest_vtk_title = 255;
+
+/// Whether the strings of an array can be told apart in XML, where a zero byte ends each of them.
+bool are_vtu_strings(std::span<const std::string> texts);
+
+}  // namespace tetproof::io

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/writing.hpp"
+
+#include <utility>
+
+#include "io/codecs.hpp"
+#include "io/file_plan.hpp"
+#include "io/supplement/supplement.hpp"
+
+namespace tetproof {
+
+PlannedFile::PlannedFile(std::string path, const Document& document, const WriteOptions& options)
+    : path_(std::move(path)), document_(document), encoding_(encoding_of(path_, options)) {}
+
+PlannedFile::~PlannedFile() = default;
+PlannedFile::PlannedFile(PlannedFile&&) noexcept = default;
+
+io::FilePlan& PlannedFile::plan() {
+  if (!plan_) plan_ = io::codec_named(encoding_.format).plan(document_, encoding_.binary);
+  return *plan_;
+}
+
+// Whatever the format does not hold is either kept aside or lost, all of it.
+void PlannedFile::find_losses() {
+  if (losses_) return;
+  const io::Holds& holds = plan().holds();
+  std::vector<Loss> unheld = io::unheld(document_, holds);
+  losses_.emplace();
+  if (holds.kept_in.empty())
+    *losses_ = std::move(unheld);
+  else
+    kept_aside_ = {holds.kept_in, std::move(unheld)};
+}
+
+const std::vector<Loss>& PlannedFile::losses() {
+  find_losses();
+  return *losses_;
+}
+
+const KeptAside& PlannedFile::kept_aside() {
+  find_losses();
+  return kept_aside_;
+}
+
+const std::string& PlannedFile::warning() {
+  if (!warning_) warning_ = plan().warning(path_);
+  return *warning_;
+}
+
+void PlannedFile::write() {
+  std::string supplement;
+  if (const io::Holds& holds = plan().holds(); !holds.kept_in.empty() && !kept_aside().items.empty())
+    supplement = io::supplement_of(document_, holds);
+  plan().write(path_, supplement);
+}
+
+std::vector<Loss> losses(const std::string& path, const Document& document, const WriteOptions& options) {
+  return PlannedFile(path, document, options).losses();
+}
+
+KeptAside kept_aside(const std::string& path, const Document& document, const WriteOptions& options) {
+  return PlannedFile(path, document, options).kept_aside();
+}
+
+std::string write_warning(const std::string& path, const Document& document, const WriteOptions& options) {
+  return PlannedFile(path, document, options).warning();
+}
+
+void write_document(const std::string& path, const Document& document, const WriteOptions& options) {
+  PlannedFile(path, document, options).write();
+}
+
+}  // namespace tetproof
