@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/tetgen/tetgen_order.hpp"
+#include "io/tetgen/tetgen_node_order.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "io/model/element_types.hpp"
-#include "io/tetgen/tetgen_order.hpp"
+#include "io/tetgen/tetgen_node_order.hpp"
 #include "io/tetgen/tetgen_plan_parts.hpp"
 
 namespace tetproof::io {

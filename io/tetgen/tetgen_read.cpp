@@ -11,7 +11,7 @@
 #include "io/supplement/supplement.hpp"
 #include "io/surface/polygons.hpp"
 #include "io/tetgen/tetgen.hpp"
-#include "io/tetgen/tetgen_order.hpp"
+#include "io/tetgen/tetgen_node_order.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
 #include "io/tetgen/tetgen_set.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "io/model/second_order.hpp"
+#include "io/model/node_order.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_types.hpp"
