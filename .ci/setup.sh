@@ -21,26 +21,35 @@ logged() {
 
 # --- packages
 list=$(if [ $tests = ON ]; then cat apt-packages.txt; else sed '/^# --- only for tests/,$d' apt-packages.txt; fi)
-mapfile -t wanted < <(sed 's/#.*//' <<<"$list" | grep -oE '[^[:space:]]+')
+mapfile -t wanted < <(sed 's/[[:space:]]*#.*//' <<<"$list" | grep .)   # "NAME" or "NAME | NAME"
 if ! command -v dpkg-query >/dev/null; then
   echo "set-up: not a Debian system: apt-packages.txt is taken as installed"
 else
-  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
-  mapfile -t missing < <(printf '%s\n' "${wanted[@]}" | grep -vxF -e "$installed" || true)
+  declare -A installed
+  while read -r status name; do [ "$status" = installed ] && installed[$name]=1
+  done < <(dpkg-query -W -f '${db:Status-Status} ${Package}\n')
+  missing=()
+  for names in "${wanted[@]}"; do
+    found=
+    for name in ${names//|/ }; do if [ -n "${installed[$name]:-}" ]; then found=1; fi; done
+    [ -n "$found" ] || missing+=("$names")
+  done
   if [ ${#missing[@]} -gt 0 ]; then
+    printf -v missing_list '%s, ' "${missing[@]}"; missing_list=${missing_list%, }
     if [ "$(id -u)" = 0 ]; then as_root=(env)
     elif command -v sudo >/dev/null; then as_root=(sudo env)
-    else fail "packages are missing, and only root may install them (there is no sudo here). As root: apt-get install --no-install-recommends ${missing[*]}"
+    else fail "packages are missing, and only root may install them (there is no sudo here). As root: apt-get satisfy --no-install-recommends '$missing_list'"
     fi
     apt_get=("${as_root[@]}" DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
              apt-get -q -y -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
-    echo "set-up: installing, with what they need: ${missing[*]}"
+    echo "set-up: installing, with what they need: $missing_list"
     # A package source of the user's own may fail to answer without mattering here; the installation decides.
     "${apt_get[@]}" update >build/apt-update.log 2>&1 ||
       { tail -n 3 build/apt-update.log >&2; echo "set-up: apt-get update failed; going on with the package lists that are there" >&2; }
-    "${apt_get[@]}" install --no-install-recommends "${missing[@]}" 2>&1 </dev/null | tee build/apt-install.log |
+    "${apt_get[@]}" satisfy --no-install-recommends "$missing_list" 2>&1 </dev/null | tee build/apt-install.log |
       awk '/newly installed/ { total = $3 }
            sub(/^Need to get /, "") { sub(/ of archives.*/, ""); print "set-up: downloading " $0; fflush() }
+           sub(/^After this operation, /, "") { sub(/ of additional.*/, ""); print "set-up: taking " $0 " of disk space"; fflush() }
            /^Unpacking / && ++unpacked % 50 == 0 { print "set-up: unpacked " unpacked " of " total; fflush() }
            /^Setting up / && ++ready % 50 == 0 { print "set-up: installed " ready " of " total; fflush() }' ||
       { tail -n 20 build/apt-install.log >&2; fail "apt-get could not install the packages (the whole of it: build/apt-install.log)"; }
