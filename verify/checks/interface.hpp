@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "verify/mesh/boundary.hpp"
-#include "verify/triangles/nearby.hpp"
-#include "verify/triangles/nearness.hpp"
+#include "verify/triangles/near_pairs.hpp"
+#include "verify/triangles/near_distance.hpp"
 
 namespace tetproof::verify {
 

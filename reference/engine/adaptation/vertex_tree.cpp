@@ -30,8 +30,16 @@ double with_slack(double squared) {
   return squared * (1 + 1e-9) + std::numeric_limits<double>::min();
 }
 
+// nanoflann 1.5 renamed its search options.
+#if NANOFLANN_VERSION < 0x150
+using SearchOptions = nanoflann::SearchParams;
+#else
+using SearchOptions = nanoflann::SearchParameters;
+#endif
+
 // The smallest distance found so far, for nanoflann.
 struct Smallest {
+  using DistanceType = double;
   double squared = std::numeric_limits<double>::infinity(), worst;
   explicit Smallest(double within) : worst(with_slack(within * within)) {}
   bool addPoint(double candidate, Index) {
@@ -41,10 +49,12 @@ struct Smallest {
   }
   double worstDist() const { return worst; }
   bool full() const { return true; }
+  void sort() {}  // one result needs no order
 };
 
 // Of the vertices within a distance, the lexicographically smallest, for nanoflann.
 struct FirstWithin {
+  using DistanceType = double;
   const Vertices& vertices;
   double limit;
   Index vertex = -1;
@@ -56,6 +66,7 @@ struct FirstWithin {
   }
   double worstDist() const { return with_slack(limit); }
   bool full() const { return true; }
+  void sort() {}  // one result needs no order
 };
 
 using KdTree =
@@ -76,14 +87,14 @@ VertexTree::VertexTree(VertexTree&&) noexcept = default;
 
 double VertexTree::distance(const Eigen::Vector3d& point, double within) const {
   Smallest smallest(within);
-  tree_->index.findNeighbors(smallest, point.data(), nanoflann::SearchParams());
+  tree_->index.findNeighbors(smallest, point.data(), SearchOptions());
   if (!std::isfinite(smallest.squared)) throw std::logic_error("no surface vertex as close as was promised");
   return std::sqrt(smallest.squared);
 }
 
 Index VertexTree::nearest(const Eigen::Vector3d& point, double smallest_distance) const {
   FirstWithin first{tree_->vertices, smallest_distance * smallest_distance * (1 + 2e-12)};
-  tree_->index.findNeighbors(first, point.data(), nanoflann::SearchParams());
+  tree_->index.findNeighbors(first, point.data(), SearchOptions());
   if (first.vertex < 0) throw std::logic_error("no surface vertex as close as was promised");
   return first.vertex;
 }

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks who includes whom: the folders' rule, and that the rooms of a folder do not include each other in a circle.
+
+usage: includes.py [--root FOLDER] [--graph] [--self-test]
+  --graph       also prints which room includes which
+  --self-test   checks that planted breaches are found
+
+A room is a folder inside io/, reference/, verify/ or corpus/; a room inside a room belongs to the outer one. A header
+or source that stands in the folder itself is part of the folder's front door and counts as a room of its own.
+Exit code 0: all is well; 1: each breach is printed.
+"""
+import argparse
+import collections
+import pathlib
+import re
+import sys
+import tempfile
+
+# Each folder's libraries may include only these folders besides their own. Programs (FOLDER/program/) may include all.
+MAY_INCLUDE = {"io": set(), "reference": {"io"}, "verify": {"io"}, "corpus": {"io", "verify"}}
+# Known debts: an include that closes a circle between rooms, to be removed. An entry that no longer exists is a breach.
+DEBTS = {
+    ("io/bytes", "io/model"),
+    ("io/loss", "io/msh"),
+    ("reference/trace", "reference/generate.hpp"),
+    ("verify/triangles", "verify/checks"),
+    ("verify/triangles", "verify/mesh"),
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
+
+
+def room(path):
+    """The room of a path that starts with a folder's name: "io/vtk", or the file itself at the front door."""
+    parts = path.split("/")
+    return "/".join(parts[:2])
+
+
+def circles(graph):
+    """The strongly connected components of more than one room, each sorted (Tarjan's algorithm)."""
+    order, low, stack, found = {}, {}, [], []
+
+    def visit(node):
+        order[node] = low[node] = len(order)
+        stack.append(node)
+        for other in sorted(graph[node]):
+            if other not in order:
+                visit(other)
+            if other in stack:
+                low[node] = min(low[node], low[other])
+        if low[node] == order[node]:
+            component = []
+            while not component or component[-1] != node:
+                component.append(stack.pop())
+            if len(component) > 1:
+                found.append(sorted(component))
+
+    for node in sorted(graph):
+        if node not in order:
+            visit(node)
+    return found
+
+
+def breaches_of(root, debts, show_graph=False):
+    """Every breach below `root`, one text each."""
+    breaches = []
+    graph = collections.defaultdict(set)
+    example = {}
+    files = 0
+    for folder, allowed in MAY_INCLUDE.items():
+        for path in sorted((root / folder).rglob("*.[ch]pp")):
+            files += 1
+            name = path.relative_to(root).as_posix()
+            for target in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                other = target.split("/")[0]
+                if not (root / target).is_file():
+                    breaches.append(f'{name}: includes "{target}": there is no such file below the project\'s folder')
+                elif other == folder and room(name) != room(target):
+                    graph[room(name)].add(room(target))
+                    graph[room(target)]
+                    example.setdefault((room(name), room(target)), f"{name} includes {target}")
+                elif other != folder and other not in allowed and room(name) != folder + "/program":
+                    may = " and ".join(sorted(allowed)) or "no other folder"
+                    breaches.append(f"{name}: includes {target}, but {folder} may include {may} only")
+    if not files:
+        sys.exit(f"includes.py: no sources below {root}")
+    if show_graph:
+        for node in sorted(graph):
+            print(f"{node}: {' '.join(sorted(graph[node]))}")
+    for source, target in sorted(debts):
+        if target in graph[source]:
+            graph[source].remove(target)
+        else:
+            breaches.append(f"{source} no longer includes {target}: remove the pair from DEBTS in includes.py")
+    for circle in circles(graph):
+        ways = [f"\n    {example[source, target]}" for source in circle for target in circle if target in graph[source]]
+        breaches.append("rooms in a circle: " + ", ".join(circle) + "".join(ways))
+    print(f"{files} files, {len(breaches)} breaches, {len(debts)} known debts")
+    return breaches
+
+
+def self_test():
+    """Plants one breach of each kind in a small tree; returns what was not found, or found wrongly."""
+    sound = {"io/a/a.hpp": "", "io/front.hpp": "io/a/a.hpp", "verify/b/b.cpp": "io/front.hpp",
+             "corpus/c.cpp": "verify/v.hpp", "verify/v.hpp": "", "reference/program/main.cpp": "verify/v.hpp"}
+    planted = {
+        "may include": {"io/a/a.hpp": "verify/v.hpp"},
+        "reference may include io only": {"reference/x.cpp": "verify/v.hpp"},
+        "there is no such file": {"verify/b/b.cpp": "io/missing.hpp"},
+        "rooms in a circle: io/a, io/front.hpp": {"io/a/a.hpp": "io/front.hpp"},
+        "rooms in a circle: io/p, io/q, io/r": {"io/p/p.hpp": "io/q/q.hpp", "io/q/q.hpp": "io/r/r.hpp", "io/r/r.cpp": "io/p/p.hpp",
+                                               "io/r/r.hpp": ""},
+    }
+    wrong = []
+    for expected, files in [(None, {}), *planted.items()]:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, target in {**sound, **files}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(f'#include <vector>\n#include "{target}"\n' if target else "")
+            found = breaches_of(root, set())
+        if (expected is None and found) or (expected and not (len(found) == 1 and expected in found[0])):
+            wrong.append(f"expected {expected}, found {found}")
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "io").mkdir()
+        (pathlib.Path(folder) / "io/x.hpp").write_text("")
+        if len(breaches_of(pathlib.Path(folder), {("io/a", "io/b")})) != 1:
+            wrong.append("a debt that was paid is not reported")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    parser.add_argument("--graph", action="store_true")
+    parser.add_argument("--self-test", action="store_true")
+    options = parser.parse_args()
+    found = self_test() if options.self_test else breaches_of(options.root, DEBTS, options.graph)
+    for breach in found:
+        print(breach)
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()
