@@ -7,6 +7,7 @@
 #include <openvdb/tree/LeafNodeMask.h>
 #include <openvdb/tree/Tree.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <bit>
 #include <cmath>
@@ -129,10 +130,9 @@ VoxelVolume voxel_volume(const TriangleSurface& surface, int voxels_along_longes
   return add_up(lattice, inside_voxels(surface, lattice), met_voxels(surface, lattice));
 }
 
-std::shared_ptr<const SurfaceVoxels> KeptVoxels::of(const TriangleSurface& surface,
-                                                    int voxels_along_longest_side) {
-  const std::lock_guard lock(mutex_);
-  if (voxels_ && number_ == voxels_along_longest_side) return voxels_;
+namespace {
+
+SurfaceVoxels make_voxels(const TriangleSurface& surface, int voxels_along_longest_side) {
   const VoxelLattice lattice = lay_voxels(surface, voxels_along_longest_side);
   SurfaceVoxels voxels{.lattice = lattice,
                        .inside = inside_voxels(surface, lattice),
@@ -142,7 +142,18 @@ std::shared_ptr<const SurfaceVoxels> KeptVoxels::of(const TriangleSurface& surfa
   voxels.volume = add_up(lattice, voxels.inside, voxels.met);
   if (const int half = voxels_along_longest_side / 2; half >= least_voxels)
     voxels.error_estimate = std::abs(voxels.volume.inside - voxel_volume(surface, half).inside);
-  voxels_ = std::make_shared<const SurfaceVoxels>(std::move(voxels));
+  return voxels;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceVoxels> KeptVoxels::of(const TriangleSurface& surface,
+                                                    int voxels_along_longest_side) {
+  const std::lock_guard lock(mutex_);
+  if (voxels_ && number_ == voxels_along_longest_side) return voxels_;
+  // Isolated: a thread that waits for its parts must not take up another mesh, which would wait for the lock.
+  voxels_ = tbb::this_task_arena::isolate(
+      [&] { return std::make_shared<const SurfaceVoxels>(make_voxels(surface, voxels_along_longest_side)); });
   number_ = voxels_along_longest_side;
   return voxels_;
 }
