@@ -240,7 +240,8 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options) {
   return {format.name, binary};
 }
 
-Document read_document(const std::string& path) {
+Document read_document(const std::string& path, const ReadOptions& options) {
+  if (!options.format.empty()) return codec_named(format_named(options.format).name).read(path);
   if (const Format* format = format_with(ending_of(path))) {
     if (!format->reads) throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
     return codec_named(format->name).read(path);

@@ -98,12 +98,24 @@ void write_surface_document(AtomicFile& file, const Document& document, const st
 
 }  // namespace io
 
-TriangleSurface read_surface(const std::string& path) {
+SurfaceFile read_surface_file(const std::string& path, const ReadOptions& options) {
+  const auto of_document = [](Document document) -> SurfaceFile {
+    TriangleSurface surface = io::welded_surface(document);
+    return {std::move(surface), std::move(document.warnings), std::move(document.dropped)};
+  };
+  if (!options.format.empty()) return of_document(read_document(path, options));
   const std::string ending = ending_of(path);
-  if (ending == ".poly" || ending == ".smesh") return io::read_tetgen_surface(path);
-  if (!is_surface_file(path) && is_of_a_format(ending)) return io::welded_surface(read_document(path));
+  if (ending == ".poly" || ending == ".smesh") return {io::read_tetgen_surface(path), {}, {}};
+  if (!is_surface_file(path) && is_of_a_format(ending)) return of_document(read_document(path));
   const InputFile file(path);
-  return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
+  io::SurfaceDocument read = io::read_surface_document(file, io::Wanted::surface);
+  std::vector<std::string> warnings = std::move(read.document.warnings);
+  std::vector<Loss> dropped = std::move(read.document.dropped);
+  return {io::surface_of_faces(file, std::move(read)), std::move(warnings), std::move(dropped)};
+}
+
+TriangleSurface read_surface(const std::string& path, const ReadOptions& options) {
+  return read_surface_file(path, options).surface;
 }
 
 void write_surface(const std::string& path, const TriangleSurface& surface,
