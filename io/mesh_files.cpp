@@ -10,16 +10,15 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
-#include "io/gmsh/gmsh_import.hpp"
 #include "io/loss/holds.hpp"
 #include "io/medit/medit.hpp"
 #include "io/msh/msh.hpp"
 #include "io/obj/obj.hpp"
 #include "io/off/off.hpp"
 #include "io/ply/ply.hpp"
+#include "io/reading.hpp"
 #include "io/stl/stl.hpp"
 #include "io/supplement/supplement.hpp"
-#include "io/surface/surface_document.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtu.hpp"
@@ -37,7 +36,7 @@ const Format* format_with(const std::string& ending) {
 // A format, and who reads and writes it.
 struct Codec {
   Format format;
-  Document (*read)(const std::string& path);
+  io::ReadDocument (*read)(const InputFile&, io::Wanted);
   /// `supplement`: lines that the file keeps aside, for formats whose Holds say where.
   void (*write)(const std::string& path, const Document&, bool binary, const std::string& supplement);
   io::Holds (*holds)(const std::string& path, const Document&, bool binary);
@@ -46,8 +45,8 @@ struct Codec {
 };
 
 template <Document (*Read)(const InputFile&)>
-Document read_one_file(const std::string& path) {
-  return Read(InputFile(path));
+io::ReadDocument read_mesh(const InputFile& file, io::Wanted) {
+  return {Read(file)};
 }
 
 template <void (*Write)(AtomicFile&, const Document&, bool)>
@@ -73,36 +72,33 @@ void write_msh40_text(AtomicFile& file, const Document& document, bool) {
   io::write_msh40(file, document);
 }
 
-Document read_surface_file(const std::string& path) {
-  return io::read_surface_document(InputFile(path), io::Wanted::document).document;
-}
-
 template <io::Holds (*Holds)(const Document&, bool)>
 io::Holds holds_whatever_the_path(const std::string&, const Document& document, bool binary) {
   return Holds(document, binary);
 }
 
-template <void (*Write)(AtomicFile&, const Document&, bool), io::Holds (*Holds)(const Document&, bool)>
+template <io::ReadDocument (*Read)(const InputFile&, io::Wanted),
+          void (*Write)(AtomicFile&, const Document&, bool), io::Holds (*Holds)(const Document&, bool)>
 Codec surface(Format format) {
-  return {std::move(format), read_surface_file, write_one_file<Write>, holds_whatever_the_path<Holds>};
+  return {std::move(format), Read, write_one_file<Write>, holds_whatever_the_path<Holds>};
 }
 
 const std::vector<Codec>& codecs() {
   static const std::vector<Codec> all{
       {{.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
-       read_one_file<io::read_msh>,
+       read_mesh<io::read_msh>,
        write_msh<io::write_msh41>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh41", binary);
        }},
       {{.name = "msh40", .what = "Gmsh .msh 4.0", .endings = {".msh"}, .reads = true, .binary = false},
-       read_one_file<io::read_msh>,
+       read_mesh<io::read_msh>,
        write_msh<write_msh40_text>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh40", binary);
        }},
       {{.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
-       read_one_file<io::read_msh>,
+       read_mesh<io::read_msh>,
        write_msh<io::write_msh22>,
        [](const std::string&, const Document& document, bool binary) {
          return io::msh_holds(document, "msh22", binary);
@@ -122,7 +118,7 @@ const std::vector<Codec>& codecs() {
          return io::tetgen_left_over(path, document, "tetgen");
        }},
       {{.name = "poly", .what = "TetGen .poly", .endings = {".poly"}, .reads = true, .binary = false},
-       io::read_tetgen,
+       io::read_poly,
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
          io::write_poly(path, document, supplement);
        },
@@ -131,7 +127,7 @@ const std::vector<Codec>& codecs() {
          return io::tetgen_left_over(path, document, "poly");
        }},
       {{.name = "smesh", .what = "TetGen .smesh", .endings = {".smesh"}, .reads = true, .binary = false},
-       io::read_tetgen,
+       io::read_smesh,
        [](const std::string& path, const Document& document, bool, const std::string& supplement) {
          io::write_smesh(path, document, supplement);
        },
@@ -144,7 +140,7 @@ const std::vector<Codec>& codecs() {
         .endings = {".vtu"},
         .reads = true,
         .usually_binary = true},
-       read_one_file<io::read_vtu>,
+       read_mesh<io::read_vtu>,
        write_one_file<io::write_vtu>,
        holds_whatever_the_path<io::vtu_holds>,
        io::vtu_warning},
@@ -153,7 +149,7 @@ const std::vector<Codec>& codecs() {
         .endings = {".vtk"},
         .reads = true,
         .usually_binary = true},
-       read_one_file<io::read_vtk>,
+       read_mesh<io::read_vtk>,
        write_one_file<io::write_vtk>,
        holds_whatever_the_path<io::vtk_holds>,
        io::vtk_warning},
@@ -162,19 +158,19 @@ const std::vector<Codec>& codecs() {
         .endings = {".mesh", ".meshb"},
         .reads = true,
         .binary_ending = ".meshb"},
-       read_one_file<io::read_medit>,
+       read_mesh<io::read_medit>,
        write_one_file<io::write_medit>,
        holds_whatever_the_path<io::medit_holds>},
-      surface<io::write_stl, io::stl_holds>(
+      surface<io::read_stl, io::write_stl, io::stl_holds>(
           {.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true}),
-      surface<io::write_off, io::off_holds>(
+      surface<io::read_off, io::write_off, io::off_holds>(
           {.name = "off", .what = "OFF surface", .endings = {".off"}, .reads = true, .binary = false}),
-      surface<io::write_obj, io::obj_holds>({.name = "obj",
-                                             .what = "Wavefront OBJ surface",
-                                             .endings = {".obj"},
-                                             .reads = true,
-                                             .binary = false}),
-      surface<io::write_ply, io::ply_holds>(
+      surface<io::read_obj, io::write_obj, io::obj_holds>({.name = "obj",
+                                                           .what = "Wavefront OBJ surface",
+                                                           .endings = {".obj"},
+                                                           .reads = true,
+                                                           .binary = false}),
+      surface<io::read_ply, io::write_ply, io::ply_holds>(
           {.name = "ply", .what = "PLY surface", .endings = {".ply"}, .reads = true, .usually_binary = true}),
   };
   return all;
@@ -241,22 +237,11 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options) {
 }
 
 Document read_document(const std::string& path, const ReadOptions& options) {
-  if (!options.format.empty()) return codec_named(format_named(options.format).name).read(path);
-  if (const Format* format = format_with(ending_of(path))) {
-    if (!format->reads) throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
-    return codec_named(format->name).read(path);
-  }
-  const std::vector<std::string>& through_gmsh = io::gmsh_endings();
-  if (std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
-    return io::read_through_gmsh(path);
-  const InputFile file(path);  // the content may tell
-  if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
-  if (io::surface_format(file).empty())
-    throw InputError(
-        fmt::format("{}: {}, and the content tells no format; expected one of {}; through Gmsh {}", path,
-                    ending_of(path).empty() ? "no ending" : "unknown ending", fmt::join(known_endings(), " "),
-                    fmt::join(through_gmsh, " ")));
-  return io::read_surface_document(file, io::Wanted::document).document;
+  return io::read_file(io::open_input(path), options, io::Wanted::document).document;
+}
+
+io::ReadDocument io::read_as(const std::string& format, const InputFile& file, Wanted wanted) {
+  return codec_named(format).read(file, wanted);
 }
 
 io::Holds io::holds_of(const std::string& path, const Document& document, const WriteOptions& options) {

@@ -25,7 +25,7 @@ bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
 
-// What a message shows of a word: printable, and not a page of it.
+// A word as a message shows it: printable, and cut if it is long.
 std::string shown(std::string_view found) {
   if (found.empty()) return "the end of the file";
   std::string text = "'";
@@ -58,13 +58,32 @@ InputFile::InputFile(const std::string& path) : path_(path) {
       return;
     }
   }
-  char buffer[1 << 16];
-  ssize_t got;
-  while ((got = ::read(file, buffer, sizeof buffer)) > 0) copy_.append(buffer, got);
-  const int reason = errno;
+  try {
+    read_all(file);
+  } catch (...) {
+    ::close(file);
+    throw;
+  }
   ::close(file);
-  errno = reason;
-  if (got < 0) fail("cannot read");
+}
+
+InputFile::InputFile(StandardInput) : path_("standard input"), named_(false) {
+  read_all(STDIN_FILENO);
+}
+
+InputFile InputFile::standard_input() {
+  return InputFile(StandardInput{});
+}
+
+void InputFile::read_all(int descriptor) {
+  char buffer[1 << 16];
+  for (;;) {
+    const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
+    if (got == 0) break;
+    if (got > 0) copy_.append(buffer, static_cast<std::size_t>(got));
+    if (got < 0 && errno != EINTR)
+      throw InputError(fmt::format("{}: cannot read: {}", path_, std::strerror(errno)));
+  }
   bytes_ = copy_;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every reader starts from: a file in memory, and a scanner that knows where it is.
+// A file in memory, and a scanner that knows its place in it: every reader starts from these.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,36 @@ namespace tetproof {
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
+  /// All of standard input, read into memory. `path()` is "standard input", for messages.
+  static InputFile standard_input();
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
   const std::string& path() const { return path_; }
+  /// Whether `path()` names a file, so that there can be others beside it; false for standard input.
+  bool is_named() const { return named_; }
   std::string_view bytes() const { return bytes_; }
-  /// Copies bytes that the file has, as several threads may do at once.
+  /// Copies bytes of the file into memory. Several threads may do so at once.
   void copy(std::size_t offset, std::size_t size, char* to) const;
-  /// Whether `copy` reads from the file, and not from a copy in memory.
+  /// Whether `copy` reads from the file and not from a copy in memory.
   bool in_file() const { return file_ >= 0; }
 
  private:
+  struct StandardInput {};
+  explicit InputFile(StandardInput);
+  void read_all(int descriptor);  // into copy_
+
   std::string path_, copy_;
   std::string_view bytes_;
   void* map_ = nullptr;
   int file_ = -1;
+  bool named_ = true;
 };
 
-/// Bytes of which long runs are wanted. From a file these are better copied piece by piece, into memory that
-/// is used again, than looked at in the map: that costs a fault for every few pages, which take longer than
-/// the copy, and the file's size of resident memory.
+/// Bytes of which long runs are wanted. It is better to copy a file piece by piece, into memory that is used
+/// again, than to look at it in the map: the map costs a page fault for every few pages, which takes longer
+/// than the copy, and it counts as resident memory.
 struct Source {
   Source(std::string_view all) : bytes(all) {}
   Source(const InputFile& all) : bytes(all.bytes()), file(all.in_file() ? &all : nullptr) {}
@@ -41,7 +50,7 @@ struct Source {
   const InputFile* file = nullptr;  ///< null: the bytes are in memory
 };
 
-/// Reads words, numbers and raw bytes from a file's text, counting lines. Blanks are space, tab, CR, LF, VT
+/// Reads words, numbers and raw bytes from a file's text and counts lines. Blanks are space, tab, CR, LF, VT
 /// and FF; lines end with LF, CR LF or a lone CR. Every failure is an InputError: path, line or byte offset,
 /// what was expected and what was found.
 class Scanner {
@@ -61,18 +70,18 @@ class Scanner {
   bool at_end(char comment = '\0');
   /// Skips blanks in this line and a comment; true at the line's end or the file's.
   bool at_line_end(char comment = '\0');
-  bool ends_line() const {
-    return remaining() == 0 || bytes_[at_] == '\n' || bytes_[at_] == '\r';
-  }                                 ///< at this very byte
+  /// True if this very byte ends the line, or the file.
+  bool ends_line() const { return remaining() == 0 || bytes_[at_] == '\n' || bytes_[at_] == '\r'; }
   void next_line();                 ///< to the start of the next line
   std::string_view rest_of_line();  ///< without its line end; stays in front of it
 
   std::string_view word(char comment = '\0');  ///< empty at the end of the file
   std::string_view peek_word(char comment = '\0');
-  double real(const char* expected,
-              char comment = '\0');  ///< decimal, exactly rounded; takes +, inf, nan, D exponents
+  /// A decimal number, exactly rounded; with +, inf, nan and exponents with D.
+  double real(const char* expected, char comment = '\0');
   std::int64_t integer(const char* expected, char comment = '\0');
-  /// The same, but the number must stand in this line: a short line is told as such, not as what follows it.
+  /// As above, but the number must stand in this line: the error names a short line, not the next line's
+  /// word.
   double real_in_line(const char* expected, char comment = '\0');
   std::int64_t integer_in_line(const char* expected, char comment = '\0');
   /// An integer in [0, most]: a count that the rest of the file could hold. Nothing is allocated for more.

@@ -17,9 +17,6 @@
 
 namespace tetproof::io {
 
-/// The number of a group without a name; none if the word is a name.
-std::optional<std::int64_t> group_number(std::string_view word);
-
 /// A comment that tells the number of a group with a name, `# group 5 wing`, where it is not the one that the
 /// word would get.
 inline constexpr std::string_view group_comment = "# group ";

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 
@@ -40,7 +41,7 @@ void take_back(std::string_view lines, const std::string& place, Document& nativ
 
 /// The lines that stand in comments at the end of `file`, if any do and the checksums are right: of this
 /// file, and of files called `stem` and an ending. Where they are not it is ignored with a warning.
-std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native);
+std::string supplement_in_comments(const InputFile& file, const std::string& stem, Document& native);
 
 /// Whether values of elements in the native part are only for other programs, since the document has none.
 bool has_no_element_values(std::string_view lines);
