@@ -7,8 +7,6 @@
 
 #include "corpus/generators/generators.hpp"
 #include "io/error.hpp"
-#include "io/mesh_files.hpp"
-#include "io/model/weld.hpp"
 #include "io/surface_files.hpp"
 
 namespace tetproof::corpus {
@@ -26,28 +24,6 @@ std::string names() {
   for (const Generator& generator : generators())
     all += (all.empty() ? "" : ", ") + std::string(generator.name);
   return all;
-}
-
-bool ends_with_msh(std::string path) {
-  for (char& c : path)
-    if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
-  return path.ends_with(".msh");
-}
-
-// The triangles of a mesh file, as read_surface gives those of a surface file.
-TriangleSurface welded_triangles(const std::string& path) {
-  TriangleSurface surface = surface_of(read_document(path));
-  if (surface.triangles.empty()) throw InputError(path + ": expected triangles, found none");
-  const Index nodes = static_cast<Index>(surface.vertices.size());
-  const std::vector<Index> moved = io::weld(surface.vertices);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (Index& v : surface.triangles[t]) {
-      if (v < 0 || v >= nodes)
-        throw InputError(
-            fmt::format("{}: triangle {} (from 0) names a node that the file does not have", path, t));
-      v = moved[v];
-    }
-  return surface;
 }
 
 const Generator& generator_of(const std::string& spec) {
@@ -81,15 +57,18 @@ std::optional<double> exact_volume(const std::string& spec) {
   return generator.volume(parse_values(generator, spec));
 }
 
-TriangleSurface open_surface(const std::string& file_or_spec) {
-  if (is_generated(file_or_spec)) return make_surface(file_or_spec);
+SurfaceFile open_surface_file(const std::string& file_or_spec, const ReadOptions& options) {
+  if (is_generated(file_or_spec)) return {make_surface(file_or_spec), {}, {}};
   std::error_code unknown;
-  if (!std::filesystem::exists(file_or_spec, unknown) &&
+  if (file_or_spec != "-" && !std::filesystem::exists(file_or_spec, unknown) &&
       file_or_spec.find_first_of("./") == std::string::npos)
     throw InputError(
         fmt::format("{}: no such file, and no such generated surface (known: {})", file_or_spec, names()));
-  if (!ends_with_msh(file_or_spec)) return read_surface(file_or_spec);
-  return welded_triangles(file_or_spec);
+  return read_surface_file(file_or_spec, options);
+}
+
+TriangleSurface open_surface(const std::string& file_or_spec, const ReadOptions& options) {
+  return open_surface_file(file_or_spec, options).surface;
 }
 
 std::string list_surfaces() {

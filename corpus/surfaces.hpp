@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "io/surface_files.hpp"
 #include "io/triangle_surface.hpp"
 
 namespace tetproof::corpus {
@@ -25,7 +26,9 @@ TriangleSurface make_surface(const std::string& spec);
 std::optional<double> exact_volume(const std::string& spec);
 
 /// A generated surface, or one read from a file (.stl .off .obj .ply; triangles of a .msh, .smesh or .poly).
-TriangleSurface open_surface(const std::string& file_or_spec);
+TriangleSurface open_surface(const std::string& file_or_spec, const ReadOptions& options = {});
+/// As `open_surface`, with what the reader of a file has to say about it.
+SurfaceFile open_surface_file(const std::string& file_or_spec, const ReadOptions& options = {});
 
 /// A text for users: each generator with its parameters, presets, ranges, meanings and known volume.
 std::string list_surfaces();

@@ -10,7 +10,6 @@
 #include "io/off/off.hpp"
 #include "io/ply/ply.hpp"
 #include "io/stl/stl.hpp"
-#include "io/surface/surface_document.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtu.hpp"
@@ -19,12 +18,8 @@ namespace tetproof::io {
 namespace {
 
 template <Document (*Read)(const InputFile&)>
-Document read_one_file(const std::string& path) {
-  return Read(InputFile(path));
-}
-
-Document read_surface_file(const std::string& path) {
-  return read_surface_document(InputFile(path), Wanted::document).document;
+ReadDocument read_mesh(const InputFile& file, Wanted) {
+  return {Read(file)};
 }
 
 }  // namespace
@@ -32,13 +27,13 @@ Document read_surface_file(const std::string& path) {
 const std::vector<Codec>& codecs() {
   static const std::vector<Codec> all{
       {{.name = "msh41", .what = "Gmsh .msh 4.1", .endings = {".msh"}, .reads = true},
-       read_one_file<read_msh>,
+       read_mesh<read_msh>,
        plan_msh41},
       {{.name = "msh40", .what = "Gmsh .msh 4.0", .endings = {".msh"}, .reads = true, .binary = false},
-       read_one_file<read_msh>,
+       read_mesh<read_msh>,
        plan_msh40},
       {{.name = "msh22", .what = "Gmsh .msh 2.2", .endings = {".msh"}, .reads = true},
-       read_one_file<read_msh>,
+       read_mesh<read_msh>,
        plan_msh22},
       {{.name = "tetgen",
         .what = "TetGen .node and .ele",
@@ -49,43 +44,43 @@ const std::vector<Codec>& codecs() {
        read_tetgen,
        plan_tetgen},
       {{.name = "poly", .what = "TetGen .poly", .endings = {".poly"}, .reads = true, .binary = false},
-       read_tetgen,
+       read_poly,
        plan_poly},
       {{.name = "smesh", .what = "TetGen .smesh", .endings = {".smesh"}, .reads = true, .binary = false},
-       read_tetgen,
+       read_smesh,
        plan_smesh},
       {{.name = "vtu",
         .what = "VTK XML unstructured grid",
         .endings = {".vtu"},
         .reads = true,
         .usually_binary = true},
-       read_one_file<read_vtu>,
+       read_mesh<read_vtu>,
        plan_vtu},
       {{.name = "vtk",
         .what = "VTK legacy unstructured grid",
         .endings = {".vtk"},
         .reads = true,
         .usually_binary = true},
-       read_one_file<read_vtk>,
+       read_mesh<read_vtk>,
        plan_vtk},
       {{.name = "medit",
         .what = "Medit .mesh and .meshb",
         .endings = {".mesh", ".meshb"},
         .reads = true,
         .binary_ending = ".meshb"},
-       read_one_file<read_medit>,
+       read_mesh<read_medit>,
        plan_medit},
       {{.name = "stl", .what = "STL surface", .endings = {".stl"}, .reads = true, .usually_binary = true},
-       read_surface_file,
+       read_stl,
        plan_stl},
       {{.name = "off", .what = "OFF surface", .endings = {".off"}, .reads = true, .binary = false},
-       read_surface_file,
+       read_off,
        plan_off},
       {{.name = "obj", .what = "Wavefront OBJ surface", .endings = {".obj"}, .reads = true, .binary = false},
-       read_surface_file,
+       read_obj,
        plan_obj},
       {{.name = "ply", .what = "PLY surface", .endings = {".ply"}, .reads = true, .usually_binary = true},
-       read_surface_file,
+       read_ply,
        plan_ply},
   };
   return all;
@@ -95,6 +90,10 @@ const Codec& codec_named(const std::string& name) {
   for (const Codec& codec : codecs())
     if (codec.format.name == name) return codec;
   throw std::logic_error("no codec for " + name);
+}
+
+ReadDocument read_as(const std::string& format, const InputFile& file, Wanted wanted) {
+  return codec_named(format).read(file, wanted);
 }
 
 }  // namespace tetproof::io

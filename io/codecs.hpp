@@ -9,13 +9,14 @@
 #include "io/document.hpp"
 #include "io/file_plan.hpp"
 #include "io/mesh_files.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof::io {
 
 /// A format with its reader and its planner.
 struct Codec {
   Format format;
-  Document (*read)(const std::string& path);
+  ReadDocument (*read)(const InputFile&, Wanted);
   /// `binary`: the encoding, which must be one that the format has. The plan refers to the document.
   std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
 };

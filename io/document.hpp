@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mesh file said, whatever its format: every reader makes one, every writer takes one.
+// The content of a mesh file of any format: every reader makes a document, every writer takes one.
 #pragma once
 
 #include <Eigen/Core>
@@ -253,8 +253,18 @@ std::vector<Index> points_of_other_cells(const Document&);
 /// whole numbers.
 std::vector<std::int64_t> tet_regions(const Document&);
 
-/// All triangles of any order, by their corners; vertices are the document's nodes without those that
-/// elements use, but none as a triangle's corner.
+/// The document's faces as triangles: triangles and quadrangles of any order by their corners, and polygons.
+/// Elements of other dimensions are passed over.
+///
+/// Vertices are the document's nodes in their order, without the nodes that elements use but none as a corner
+/// of a face. They are welded by exact equality: the first of equal ones stays (-0 equals 0; NaN equals
+/// nothing). A triangle stays as it is, degenerate or not. Of a larger polygon, corners that repeat the one
+/// before are dropped first: a quadrangle with a collapsed side is a triangle, and one that collapses
+/// altogether leaves one degenerate triangle. Planar and convex polygons are cut into a fan; the rule is in
+/// io/surface/polygons.hpp.
+///
+/// InputError, naming the element by its number: there are no faces; a face names a node that does not exist,
+/// has fewer than three corners, is not planar, not convex, or of a facet with several polygons or holes.
 TriangleSurface surface_of(const Document&);
 
 /// Tetrahedra in volume 1, numbered from 1. Indices that name no point (any number outside [0, points))

@@ -9,9 +9,7 @@
 #include "io/bytes/tokens.hpp"
 #include "io/codecs.hpp"
 #include "io/error.hpp"
-#include "io/gmsh/gmsh_import.hpp"
-#include "io/msh/msh.hpp"
-#include "io/surface/surface_document.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof {
 namespace {
@@ -77,22 +75,8 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options) {
   return {format.name, binary};
 }
 
-Document read_document(const std::string& path) {
-  if (const Format* format = format_with(ending_of(path))) {
-    if (!format->reads) throw InputError(fmt::format("{}: {} is written, but not read", path, format->what));
-    return io::codec_named(format->name).read(path);
-  }
-  const std::vector<std::string>& through_gmsh = io::gmsh_endings();
-  if (std::find(through_gmsh.begin(), through_gmsh.end(), ending_of(path)) != through_gmsh.end())
-    return io::read_through_gmsh(path);
-  const InputFile file(path);  // the content may tell
-  if (file.bytes().substr(0, 11) == "$MeshFormat") return io::read_msh(file);
-  if (io::surface_format(file).empty())
-    throw InputError(
-        fmt::format("{}: {}, and the content tells no format; expected one of {}; through Gmsh {}", path,
-                    ending_of(path).empty() ? "no ending" : "unknown ending", fmt::join(known_endings(), " "),
-                    fmt::join(through_gmsh, " ")));
-  return io::read_surface_document(file, io::Wanted::document).document;
+Document read_document(const std::string& path, const ReadOptions& options) {
+  return io::read_file(io::open_input(path), options, io::Wanted::document).document;
 }
 
 }  // namespace tetproof

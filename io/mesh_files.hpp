@@ -46,12 +46,19 @@ struct Encoding {
 };
 Encoding encoding_of(const std::string& path, const WriteOptions& options);
 
+/// How a file is read.
+struct ReadOptions {
+  /// A name of `formats()`, as `--from` takes it: it overrules the content and the ending. Empty: these two
+  /// decide.
+  std::string format;
+};
+
 /// Reads .msh 1 to 3, 4.0 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either
 /// brings the other), .vtu, .vtk, .mesh, .meshb, surfaces, and through Gmsh what only it reads:
 /// `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. What the format permits is read as it is written: indices
 /// that name no node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not
 /// permit.
-Document read_document(const std::string& path);
+Document read_document(const std::string& path, const ReadOptions& options = {});
 
 /// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in
 /// io/losses.hpp lists it; and `kept_aside` what stands in a corner of the file for `read_document` alone.

@@ -3,67 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-
-#include "io/bytes/byte_order.hpp"
-#include "io/bytes/input_file.hpp"
-#include "io/bytes/scanner.hpp"
-#include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
-#include "io/mesh_files.hpp"
-#include "io/obj/obj.hpp"
-#include "io/off/off.hpp"
-#include "io/ply/ply.hpp"
-#include "io/stl/stl.hpp"
+#include "io/reading.hpp"
 #include "io/surface/document_surface.hpp"
-#include "io/surface/polygons.hpp"
-#include "io/tetgen/tetgen.hpp"
 
 namespace tetproof {
 namespace {
 
-// What the ending says: stl, ...; empty if there is none.
+// The format that the ending names: stl, ...; empty if there is no ending.
 std::string format_of_name(const std::string& path) {
   const std::string ending = ending_of(path);
   return ending.empty() ? ending : ending.substr(1);
-}
-
-// stl, off or ply, if the content leaves no doubt; OBJ has no first line to be known by.
-std::string format_of_content(const InputFile& file) {
-  const std::string_view bytes = file.bytes();
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return "ply";
-  if (bytes.size() > 84) {
-    const std::size_t facets = io::load<std::uint32_t>(bytes.data() + 80, std::endian::little);
-    if (bytes.size() == 84 + 50 * facets) return "stl";
-  }
-  Scanner scanner(file);
-  const std::string first = io::lower_case(scanner.word('#').substr(0, 6));
-  if (first == "off" || first == "coff" || first == "noff" || first == "cnoff" || first == "stoff")
-    return "off";
-  if (first == "solid") {
-    scanner.next_line();
-    const std::string second = io::lower_case(scanner.word().substr(0, 9));
-    if (second == "facet" || second == "endsolid") return "stl";
-  }
-  return "";
-}
-
-[[noreturn]] void fail_unknown(const std::string& path, const std::string& known) {
-  const std::string ending = ending_of(path);
-  throw InputError(fmt::format("{}: {}, expected a surface as {}", path,
-                               ending.empty() ? "no ending" : fmt::format("unknown ending '{}'", ending),
-                               known));
 }
 
 bool is_known(const std::string& format) {
   return format == "stl" || format == "off" || format == "obj" || format == "ply";
 }
 
-bool is_of_a_format(const std::string& ending) {
-  const std::vector<std::string> all = known_endings();
-  return std::find(all.begin(), all.end(), ending) != all.end();
+[[noreturn]] void fail_unknown(const std::string& path) {
+  const std::string ending = ending_of(path);
+  throw InputError(fmt::format("{}: {}, expected a surface as .stl, .off, .obj or .ply", path,
+                               ending.empty() ? "no ending" : fmt::format("unknown ending '{}'", ending)));
 }
 
 }  // namespace
@@ -72,37 +32,23 @@ bool is_surface_file(const std::string& path) {
   return is_known(format_of_name(path));
 }
 
-namespace io {
-
-std::string surface_format(const InputFile& file) {
-  const std::string format = format_of_name(file.path());
-  return is_known(format) ? format : format_of_content(file);
+SurfaceFile read_surface_file(const std::string& path, const ReadOptions& options) {
+  const InputFile file = io::open_input(path);
+  io::ReadDocument read = io::read_file(file, options, io::Wanted::surface);
+  std::vector<std::string> warnings = std::move(read.document.warnings);
+  std::vector<Loss> dropped = std::move(read.document.dropped);
+  return {io::surface_of_read(std::move(read), file), std::move(warnings), std::move(dropped)};
 }
 
-SurfaceDocument read_surface_document(const InputFile& file, Wanted wanted) {
-  const std::string format = surface_format(file);
-  if (format == "stl") return read_stl(file, wanted);
-  if (format == "off") return read_off(file, wanted);
-  if (format == "obj") return read_obj(file, wanted);
-  if (format == "ply") return read_ply(file, wanted);
-  fail_unknown(file.path(), fmt::format("one of {}", fmt::join(known_endings(), " ")));
-}
-
-}  // namespace io
-
-TriangleSurface read_surface(const std::string& path) {
-  const std::string ending = ending_of(path);
-  if (ending == ".poly" || ending == ".smesh") return io::read_tetgen_surface(path);
-  if (!is_surface_file(path) && is_of_a_format(ending)) return io::welded_surface(read_document(path));
-  const InputFile file(path);
-  return io::surface_of_faces(file, io::read_surface_document(file, io::Wanted::surface));
+TriangleSurface read_surface(const std::string& path, const ReadOptions& options) {
+  return read_surface_file(path, options).surface;
 }
 
 void write_surface(const std::string& path, const TriangleSurface& surface,
                    const SurfaceWriteOptions& options) {
   const std::string format = options.format.empty() ? format_of_name(path) : options.format;
   if (!is_known(format)) {
-    if (options.format.empty()) fail_unknown(path, ".stl, .off, .obj or .ply");
+    if (options.format.empty()) fail_unknown(path);
     throw InputError(fmt::format("unknown surface format '{}', expected stl, off, obj or ply", format));
   }
   const auto vertices = static_cast<Index>(surface.vertices.size());

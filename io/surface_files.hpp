@@ -3,7 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "io/document.hpp"
+#include "io/mesh_files.hpp"
 #include "io/triangle_surface.hpp"
 
 namespace tetproof {
@@ -17,7 +20,16 @@ namespace tetproof {
 /// (io/surface/polygons.hpp has the rule). Degenerate triangles, and vertices that no triangle uses, are
 /// kept: `verify/surface.hpp` judges. Throws InputError with file, line or byte, what was expected and what
 /// was found.
-TriangleSurface read_surface(const std::string& path);
+TriangleSurface read_surface(const std::string& path, const ReadOptions& options = {});
+
+/// A surface, and what its reader has to say about the file.
+struct SurfaceFile {
+  TriangleSurface surface;
+  std::vector<std::string> warnings;  ///< as in `Document::warnings`
+  std::vector<Loss> dropped;          ///< as in `Document::dropped`
+};
+/// As `read_surface`, with the reader's warnings and the list of what it dropped.
+SurfaceFile read_surface_file(const std::string& path, const ReadOptions& options = {});
 
 /// Whether the ending says that the file can be nothing but a surface: .stl, .off, .obj or .ply.
 bool is_surface_file(const std::string& path);

@@ -36,13 +36,32 @@ InputFile::InputFile(const std::string& path) : path_(path) {
       return;
     }
   }
-  char buffer[1 << 16];
-  ssize_t got;
-  while ((got = ::read(file, buffer, sizeof buffer)) > 0) copy_.append(buffer, got);
-  const int reason = errno;
+  try {
+    read_all(file);
+  } catch (...) {
+    ::close(file);
+    throw;
+  }
   ::close(file);
-  errno = reason;
-  if (got < 0) fail("cannot read");
+}
+
+InputFile::InputFile(StandardInput) : path_("standard input"), named_(false) {
+  read_all(STDIN_FILENO);
+}
+
+InputFile InputFile::standard_input() {
+  return InputFile(StandardInput{});
+}
+
+void InputFile::read_all(int descriptor) {
+  char buffer[1 << 16];
+  for (;;) {
+    const ssize_t got = ::read(descriptor, buffer, sizeof buffer);
+    if (got == 0) break;
+    if (got > 0) copy_.append(buffer, static_cast<std::size_t>(got));
+    if (got < 0 && errno != EINTR)
+      throw InputError(fmt::format("{}: cannot read: {}", path_, std::strerror(errno)));
+  }
   bytes_ = copy_;
 }
 

@@ -13,11 +13,15 @@ namespace tetproof {
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
+  /// All of standard input, read into memory. `path()` is "standard input", for messages.
+  static InputFile standard_input();
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
   const std::string& path() const { return path_; }
+  /// Whether `path()` names a file, so that there can be others beside it; false for standard input.
+  bool is_named() const { return named_; }
   std::string_view bytes() const { return bytes_; }
   /// Copies bytes of the file into memory. Several threads may do so at once.
   void copy(std::size_t offset, std::size_t size, char* to) const;
@@ -25,10 +29,15 @@ class InputFile {
   bool in_file() const { return file_ >= 0; }
 
  private:
+  struct StandardInput {};
+  explicit InputFile(StandardInput);
+  void read_all(int descriptor);  // into copy_
+
   std::string path_, copy_;
   std::string_view bytes_;
   void* map_ = nullptr;
   int file_ = -1;
+  bool named_ = true;
 };
 
 /// Bytes of which long runs are wanted. It is better to copy a file piece by piece, into memory that is used

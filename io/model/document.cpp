@@ -20,70 +20,28 @@ bool has_shape(const ElementBlock& block, Shape shape) {
   return type && type->shape == shape;
 }
 
-// How an element uses a node.
-enum Use : unsigned char { nothing = 0, wanted_corner = 1, other_corner = 2, between_corners = 4 };
-
-std::vector<unsigned char> uses_of_nodes(const Document& document, Shape wanted) {
-  std::vector<unsigned char> uses(document.points.size(), nothing);
+// The nodes that `tet_mesh` keeps: all but those that only stand between corners. Empty: all.
+std::vector<bool> kept_nodes(const Document& document) {
+  const bool first_order =
+      std::all_of(document.blocks.begin(), document.blocks.end(), [](const ElementBlock& block) {
+        const ElementType* type = io::element_type(block.type);
+        return type && type->nodes == type->corners;
+      });
+  if (first_order) return {};
+  enum : unsigned char { unused, between_corners, corner };
+  std::vector<unsigned char> uses(document.points.size(), unused);
   for (const ElementBlock& block : document.blocks) {
     const ElementType* type = io::element_type(block.type);
     const int corners = type ? type->corners : block.nodes_each;
-    const Use corner = type && type->shape == wanted ? wanted_corner : other_corner;
     const Index* node = document.connectivity.data() + block.nodes;
     for (std::size_t e = 0; e < block.count; ++e)
       for (int k = 0; k < block.nodes_each; ++k, ++node)
-        if (*node >= 0) uses[*node] |= k < corners ? corner : between_corners;
+        if (*node >= 0)
+          uses[*node] = std::max<unsigned char>(uses[*node], k < corners ? corner : between_corners);
   }
-  return uses;
-}
-
-// Which nodes a view of the `wanted` elements keeps. Empty: all of them.
-std::vector<bool> kept_nodes(const Document& document, Shape wanted) {
-  const bool all_wanted =
-      std::all_of(document.blocks.begin(), document.blocks.end(), [&](const ElementBlock& block) {
-        const ElementType* type = io::element_type(block.type);
-        return type && type->nodes == type->corners &&
-               (wanted == Shape::tetrahedron || type->shape == wanted);
-      });
-  if (all_wanted) return {};
-  const std::vector<unsigned char> uses = uses_of_nodes(document, wanted);
   std::vector<bool> kept(uses.size());
-  for (std::size_t i = 0; i < uses.size(); ++i)
-    kept[i] = wanted == Shape::tetrahedron ? uses[i] != between_corners
-                                           : uses[i] == nothing || (uses[i] & wanted_corner) != 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) kept[i] = uses[i] != between_corners;
   return kept;
-}
-
-// Fills in the corners of the wanted elements and the points that are kept.
-template <std::size_t Corners>
-void view(const Document& document, Shape wanted, std::vector<Eigen::Vector3d>& points,
-          std::vector<std::array<Index, Corners>>& elements) {
-  const std::vector<bool> kept = kept_nodes(document, wanted);
-  std::vector<Index> position;
-  if (kept.empty()) {
-    io::reserve_in_large_pages(points, document.points.size());
-    points = document.points;
-  } else {
-    position.resize(kept.size());
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      position[i] = static_cast<Index>(points.size());
-      if (kept[i]) points.push_back(document.points[i]);
-    }
-  }
-  std::size_t count = 0;
-  for (const ElementBlock& block : document.blocks)
-    if (has_shape(block, wanted)) count += block.count;
-  io::reserve_in_large_pages(elements, count);
-  for (const ElementBlock& block : document.blocks) {
-    if (!has_shape(block, wanted)) continue;
-    const Index* nodes = document.connectivity.data() + block.nodes;
-    for (std::size_t e = 0; e < block.count; ++e, nodes += block.nodes_each) {
-      std::array<Index, Corners> corners;
-      for (std::size_t k = 0; k < Corners; ++k)
-        corners[k] = nodes[k] >= 0 && !position.empty() ? position[nodes[k]] : nodes[k];
-      elements.push_back(corners);
-    }
-  }
 }
 
 template <std::size_t Corners>
@@ -114,14 +72,38 @@ Document document_of_elements(const std::vector<Eigen::Vector3d>& points,
 
 TetMesh tet_mesh(const Document& document) {
   TetMesh mesh;
-  view(document, Shape::tetrahedron, mesh.points, mesh.tets);
+  const std::vector<bool> kept = kept_nodes(document);
+  std::vector<Index> position;
+  if (kept.empty()) {
+    io::reserve_in_large_pages(mesh.points, document.points.size());
+    mesh.points = document.points;
+  } else {
+    position.resize(kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      position[i] = static_cast<Index>(mesh.points.size());
+      if (kept[i]) mesh.points.push_back(document.points[i]);
+    }
+  }
+  std::size_t count = 0;
+  for (const ElementBlock& block : document.blocks)
+    if (has_shape(block, Shape::tetrahedron)) count += block.count;
+  io::reserve_in_large_pages(mesh.tets, count);
+  for (const ElementBlock& block : document.blocks) {
+    if (!has_shape(block, Shape::tetrahedron)) continue;
+    const Index* nodes = document.connectivity.data() + block.nodes;
+    for (std::size_t e = 0; e < block.count; ++e, nodes += block.nodes_each) {
+      std::array<Index, 4>& corners = mesh.tets.emplace_back();
+      for (std::size_t k = 0; k < 4; ++k)
+        corners[k] = nodes[k] >= 0 && !position.empty() ? position[nodes[k]] : nodes[k];
+    }
+  }
   return mesh;
 }
 
 Numbering numbering(const Document& document) {
   Numbering names;
   names.unknown = document.unknown;
-  const std::vector<bool> kept = kept_nodes(document, Shape::tetrahedron);
+  const std::vector<bool> kept = kept_nodes(document);
   const bool only_tets = std::all_of(document.blocks.begin(), document.blocks.end(),
                                      [](const ElementBlock& b) { return has_shape(b, Shape::tetrahedron); });
   if (kept.empty() && only_tets && document.node_tags.empty() && document.element_tags.empty() &&
@@ -154,7 +136,7 @@ std::vector<Index> points_of_other_cells(const Document& document) {
          ++node)
       if (*node >= 0) used[static_cast<std::size_t>(*node)] = true;
   }
-  const std::vector<bool> kept = kept_nodes(document, Shape::tetrahedron);
+  const std::vector<bool> kept = kept_nodes(document);
   std::vector<Index> points;
   Index position = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -197,12 +179,6 @@ std::vector<std::int64_t> tet_regions(const Document& document) {
     }
   }
   return regions;
-}
-
-TriangleSurface surface_of(const Document& document) {
-  TriangleSurface surface;
-  view(document, Shape::triangle, surface.vertices, surface.triangles);
-  return surface;
 }
 
 Document document_of(const TetMesh& mesh) {

@@ -7,25 +7,25 @@
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/file_plan.hpp"
-#include "io/surface/surface_document.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof::io {
 
-/// Reads Wavefront's OBJ: `v`, `f` with i, i/t, i//n or i/t/n, positive or negative, also naming points that
-/// come later; `l` (a line from each point to the next), `p`; a backslash before the line's end continues it.
-///  - `g`: physical groups. A whole number is the group with this number; names are numbered in the order in
-///    which elements first use them, from 1, past the numbers that are taken; a comment `# group 5 wing`
-///    numbers one otherwise. %20 and the like stand for a
-///    blank, ...; `default` is a name.
+/// Reads Wavefront's OBJ: `v`; `f` with i, i/t, i//n or i/t/n, positive or negative, which may name points
+/// that come later; `l` (a line from each point to the next); `p`. A backslash at a line's end continues the
+/// statement.
+///  - `g`: physical groups. A whole number is the group with this number. Names get numbers in the order in
+///    which elements first use them, from 1 on without those that are taken; a comment `# group 5 wing` gives
+///    another number. %20 stands for a blank, and so on; `default` is a name.
 ///  - `o`, `usemtl`, `s`: values of elements "object", "material" (integers with labels; "" before the first
 ///    statement) and "smoothing" (integers, 0 is off), if any element has one.
 ///  - `vt`, `vn`: values of elements' nodes "texture" (as many components as the longest `vt` has) and
-///    "normal"; what no element names is dropped with a warning.
-///  - Numbers behind x y z: values of nodes, one is "weight", three or four are "color".
+///    "normal".
+///  - Numbers behind x y z: values of nodes, "weight" if it is one number, "color" if they are three or four.
 ///  - `mtllib`: a table "mtllib" with a column "file". Comments above all else: the title.
-/// Other statements that OBJ knows are counted in a warning, but for free-form surfaces (`surf`), which are
-/// refused like unknown statements. Throws InputError.
-SurfaceDocument read_obj(const InputFile& file, Wanted wanted);
+/// All other statements, such as those of free-form surfaces, are dropped, and so are texture coordinates and
+/// normals that no face uses. Throws InputError, also for a file without any statement of OBJ.
+ReadDocument read_obj(const InputFile& file, Wanted wanted);
 
 /// OBJ as text, exact: all points, and points, lines and faces by their corners, but for those that name
 /// nodes which do not exist, with all that is read. A group without a name is `g NUMBER`, and comments

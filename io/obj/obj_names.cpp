@@ -5,15 +5,10 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/surface/group_names.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
-
-std::optional<std::int64_t> group_number(std::string_view word) {
-  std::int64_t number;
-  if (!parse_integer(word, number) || number == 0 || std::to_string(number) != word) return {};
-  return number;
-}
 
 namespace {
 

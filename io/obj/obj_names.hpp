@@ -17,9 +17,6 @@
 
 namespace tetproof::io {
 
-/// Returns the number of a group without a name; none: the word is a name.
-std::optional<std::int64_t> group_number(std::string_view word);
-
 /// Starts a comment that tells the number of a group with a name, such as `# group 5 wing`. Used where the
 /// word would get another number.
 inline constexpr std::string_view group_comment = "# group ";

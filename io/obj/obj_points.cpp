@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first pass over an OBJ file.
 #include "io/obj/obj_points.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 
 #include "io/bytes/scanner.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/obj/obj_statements.hpp"
+#include "io/surface/group_names.hpp"
+#include "io/surface/text_of_file.hpp"
 
 namespace tetproof::io {
 namespace {
 
 class PointsReader {
  public:
-  PointsReader(const InputFile& file, Wanted wanted, GroupNumbers& names)
-      : scanner_(file), surface_(wanted == Wanted::surface), names_(names) {
-    found_.first_element = file.bytes().size();
+  PointsReader(const InputFile& file, std::string_view text, Wanted wanted, GroupNumbers& names,
+               std::vector<Loss>& dropped)
+      : file_(file),
+        text_(text),
+        scanner_(start_of_text(file, text)),
+        surface_(wanted == Wanted::surface),
+        names_(names),
+        dropped_(dropped) {
+    found_.first_element = text.size();
   }
 
   ObjPoints read() {
@@ -25,13 +35,19 @@ class PointsReader {
       const std::size_t place = scanner_.offset();
       statement(next_field(scanner_), place);
     }
+    if (!any_known_ && first_unknown_) {
+      Scanner start(file_.path(), text_, *first_unknown_);
+      const std::string_view word = start.word('#');
+      start.fail("a statement of OBJ (v, f, ...)", word);
+    }
     return std::move(found_);
   }
 
  private:
   void statement(std::string_view word, std::size_t place) {
+    if (word.empty()) return;
     if (word == "v") {
-      point();
+      point(place);
     } else if (is_face(word)) {
       start_here(place);
       skip_statement(scanner_);
@@ -47,12 +63,26 @@ class PointsReader {
         groups();
       else
         skip_statement(scanner_);
-    } else if (is_skipped_statement(word)) {
-      if (!surface_) ++found_.unread.try_emplace(std::string(word)).first->second;
-      skip_statement(scanner_);
-    } else if (!word.empty()) {
-      scanner_.fail("a statement of OBJ (v, f, ...)", word);
+    } else {
+      drop_statement(word, place);
+      return;
     }
+    any_known_ = true;
+  }
+
+  void drop_statement(std::string_view word, std::size_t place) {
+    const bool known = is_statement(word);
+    any_known_ = any_known_ || known;
+    if (!known && !first_unknown_) first_unknown_ = place;
+    drop(known ? fmt::format("statements `{}`", word) : "statements that OBJ does not have", place);
+    skip_statement(scanner_);
+  }
+
+  // The example costs a count of the lines above, which only the first one of an item is worth.
+  void drop(const std::string& item, std::size_t place) {
+    const bool is_new =
+        std::none_of(dropped_.begin(), dropped_.end(), [&](const Loss& loss) { return loss.item == item; });
+    add_loss(dropped_, item, 1, is_new ? example_line(file_.path(), text_, place) : "");
   }
 
   void start_here(std::size_t place) {
@@ -72,7 +102,7 @@ class PointsReader {
     return value;
   }
 
-  void point() {
+  void point(std::size_t place) {
     Eigen::Vector3d& point = found_.points.emplace_back();
     for (int k = 0; k < 3; ++k) point[k] = coordinate();
     numbers_.clear();
@@ -88,7 +118,7 @@ class PointsReader {
     else if (numbers_.size() == 3 || numbers_.size() == 4)
       found_.colors.add(node, numbers_, false);
     else
-      ++found_.odd_numbers;
+      drop("numbers behind x y z of vertices, neither a weight nor a colour", place);
   }
 
   void corner_value(ObjCorners& corners, int least) {
@@ -111,17 +141,23 @@ class PointsReader {
       if (const auto number = group_number(field)) names_.take(*number);
   }
 
+  const InputFile& file_;
+  const std::string_view text_;
   Scanner scanner_;
   const bool surface_;
   GroupNumbers& names_;
+  std::vector<Loss>& dropped_;
   ObjPoints found_;
   std::vector<double> numbers_;
+  std::optional<std::size_t> first_unknown_;
+  bool any_known_ = false;
 };
 
 }  // namespace
 
-ObjPoints read_obj_points(const InputFile& file, Wanted wanted, GroupNumbers& names) {
-  return PointsReader(file, wanted, names).read();
+ObjPoints read_obj_points(const InputFile& file, std::string_view text, Wanted wanted, GroupNumbers& names,
+                          std::vector<Loss>& dropped) {
+  return PointsReader(file, text, wanted, names, dropped).read();
 }
 
 }  // namespace tetproof::io

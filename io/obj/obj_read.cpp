@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second of two passes over an OBJ file: faces, lines and points, and what the statements above them say.
+// The second of two passes over an OBJ file: faces, lines and points, with the statements that hold for them.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,12 +7,16 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
 #include "io/obj/obj.hpp"
 #include "io/obj/obj_names.hpp"
 #include "io/obj/obj_points.hpp"
 #include "io/obj/obj_state.hpp"
 #include "io/obj/obj_statements.hpp"
+#include "io/surface/surface_document.hpp"
+#include "io/surface/text_of_file.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -21,29 +25,31 @@ constexpr const char* a_corner = "a vertex as in 7, 7/1, 7//3, 7/1/3 or -1";
 
 class Reader {
  public:
-  Reader(const InputFile& file, Wanted wanted) : file_(file), surface_(wanted == Wanted::surface) {
+  Reader(const InputFile& file, Wanted wanted)
+      : file_(file), surface_(wanted == Wanted::surface), text_(text_of_file(file, source_.document)) {
     source_.document.path = file.path(), source_.document.format = "obj";
   }
 
-  SurfaceDocument read() {
-    if (!surface_) source_.document.title = leading_comments(Scanner(file_));
-    points_ = read_obj_points(file_, surface_ ? Wanted::surface : Wanted::document, names_);
-    source_.document.points = std::move(points_.points);
-    for (const auto& [statement, count] : points_.unread)
-      warn(fmt::format("{} statements `{}` are not read", count, statement));
-    check_countable(file_.path(), source_.document.points.size());
+  ReadDocument read() {
+    Document& document = source_.document;
+    if (!surface_) document.title = leading_comments(start_of_text(file_, text_));
+    points_ = read_obj_points(file_, text_, surface_ ? Wanted::surface : Wanted::document, names_,
+                              document.dropped);
+    document.points = std::move(points_.points);
+    check_countable(file_.path(), document.points.size());
     read_elements();
     if (!surface_) finish();
     return std::move(source_);
   }
 
  private:
-  // The number in i, i/t, i//n or i/t/n at a place where so many stand above.
+  // From a number in i, i/t, i//n or i/t/n to a position, where `above` of what it counts stand above it.
   static std::int64_t position(std::int64_t number, std::int64_t above) {
     return number > 0 ? number - 1 : above + number;
   }
 
-  // One corner: its point's number from 1, and into the lists what it names of texture and normals.
+  // The number, from 1, of one corner's point. What the corner names of texture and normals goes into their
+  // lists.
   std::int64_t corner(std::string_view field, const Scanner& scanner, bool& slashes) {
     const std::string_view number = field.substr(0, field.find('/'));
     const std::string_view rest = field.substr(number.size());
@@ -72,7 +78,7 @@ class Reader {
     return value > 0 ? value : points_.points_above + value + 1;
   }
 
-  // The corners of an element; whether any names more than a point.
+  // Reads the corners of an element. True if any of them names more than a point.
   bool read_corners(Scanner& scanner, NodeIndex& nodes) {
     corners_.clear(), points_.texture.named.clear(), points_.normal.named.clear();
     bool slashes = false;
@@ -97,22 +103,25 @@ class Reader {
   void read_face(Scanner& scanner, std::size_t place, NodeIndex& nodes) {
     const bool slashes = read_corners(scanner, nodes);
     if (corners_.size() < 3) {
-      const Scanner start(file_.path(), file_.bytes(), place);
+      const Scanner start(file_.path(), text_, place);
       start.fail_in_line(fmt::format("face has {} corners, expected at least 3", corners_.size()));
     }
     if (!surface_ && slashes)
       for (ObjCorners* values : {&points_.texture, &points_.normal})
-        values->add_element(source_.document.elements());
+        if (!values->add_element(source_.document.elements()))
+          drop(fmt::format("{} of faces that name some that do not exist, or not at every corner",
+                           values == &points_.texture ? "texture coordinates" : "normals"),
+               1, place);
     add(corners_, place);
   }
 
-  // A line through points, or points.
+  // Lines from each point to the next, or points.
   void read_thin(Scanner& scanner, std::size_t place, NodeIndex& nodes, std::size_t corners_each) {
     const bool slashes = read_corners(scanner, nodes);
     if (corners_.size() < corners_each)
       scanner.fail_in_line(
           fmt::format("expected at least {} vertices, found {}", corners_each, corners_.size()));
-    textured_lines_ += slashes;
+    if (slashes) drop("texture coordinates and normals of lines and points", 1, place);
     const std::vector<Index> all = corners_;
     for (std::size_t i = 0; i + corners_each <= all.size(); ++i)
       add(std::span(all).subspan(i, corners_each), place);
@@ -124,7 +133,7 @@ class Reader {
     if (!surface_) names_.take_comments(file_);
     names_.start(document);
     points_.texture.start("texture"), points_.normal.start("normal");
-    Scanner scanner(file_.path(), file_.bytes(), points_.first_element);
+    Scanner scanner(file_.path(), text_, points_.first_element);
     while (!scanner.at_end('#')) {
       const std::size_t place = scanner.offset();
       const std::string_view statement = next_field(scanner);
@@ -152,7 +161,7 @@ class Reader {
       } else if (statement == "usemtl") {
         material_.set(name_field(scanner));
       } else if (statement == "s") {
-        read_smoothing(scanner);
+        read_smoothing(scanner, place);
       } else if (statement == "mtllib") {
         for (std::string_view field = next_field(scanner); !field.empty(); field = next_field(scanner))
           libraries_.push_back(decode_name(field));
@@ -162,10 +171,11 @@ class Reader {
     }
   }
 
-  void read_smoothing(Scanner& scanner) {
+  void read_smoothing(Scanner& scanner, std::size_t place) {
     const std::string text = name_field(scanner);
     std::int64_t number = 0;
-    if (!text.empty() && text != "off" && text != "default" && !parse_integer(text, number)) ++odd_smoothing_;
+    if (!text.empty() && text != "off" && text != "default" && !parse_integer(text, number))
+      drop("smoothing groups that are neither a number nor off", 1, place);
     smoothing_.said = true;
     smoothing_.number = number;
   }
@@ -183,13 +193,6 @@ class Reader {
     give_state(smoothing_, "smoothing", false);
     give_corners(points_.texture, "texture coordinates", "vt");
     give_corners(points_.normal, "normals", "vn");
-    if (points_.odd_numbers > 0)
-      warn(fmt::format("the numbers behind x y z of {} vertices are not read: neither a weight nor a colour",
-                       points_.odd_numbers));
-    if (odd_smoothing_ > 0)
-      warn(fmt::format("{} statements `s` with neither a number nor off", odd_smoothing_));
-    if (textured_lines_ > 0)
-      warn(fmt::format("texture coordinates of {} lines are not read", textured_lines_));
     if (!libraries_.empty()) {
       Table& table = document.tables.emplace_back();
       table.name = "mtllib", table.rows = libraries_.size();
@@ -200,10 +203,11 @@ class Reader {
 
   void give_corners(ObjCorners& corners, const char* what, const char* statement) {
     Document& document = source_.document;
-    if (corners.bad > 0)
-      warn(fmt::format("{} faces name {} that do not exist, or not at every corner", corners.bad, what));
-    const auto unused = std::count(corners.used.begin(), corners.used.end(), false);
-    if (unused > 0) warn(fmt::format("{} {} (`{}`) that no face uses are not kept", unused, what, statement));
+    const auto unused = std::find(corners.used.begin(), corners.used.end(), false);
+    if (unused != corners.used.end())
+      add_loss(document.dropped, fmt::format("{} (`{}`) that no face uses", what, statement),
+               static_cast<std::size_t>(std::count(unused, corners.used.end(), false)),
+               fmt::format("`{}` number {}", statement, unused - corners.used.begin() + 1));
     Values& values = corners.values;
     if (values.at.empty()) return;
     if (values.at.size() == document.elements()) values.at.clear();
@@ -221,25 +225,29 @@ class Reader {
     if (labelled) values.labels = state.labels.take();
   }
 
-  void warn(const std::string& what) {
-    source_.document.warnings.push_back(fmt::format("{}: {}", file_.path(), what));
+  // The example costs a count of the lines above, which only the first one of an item is worth.
+  void drop(const std::string& item, std::size_t count, std::size_t place) {
+    std::vector<Loss>& dropped = source_.document.dropped;
+    const bool is_new =
+        std::none_of(dropped.begin(), dropped.end(), [&](const Loss& loss) { return loss.item == item; });
+    add_loss(dropped, item, count, is_new ? example_line(file_.path(), text_, place) : "");
   }
 
   const InputFile& file_;
   const bool surface_;
-  SurfaceDocument source_;
+  ReadDocument source_;
+  const std::string_view text_;
   ObjPoints points_;
   ObjState object_, material_, smoothing_;
   GroupNumbers names_;
   std::vector<std::string> groups_;  // of the statement at hand
   std::vector<std::string> libraries_;
   std::vector<Index> corners_;
-  std::size_t odd_smoothing_ = 0, textured_lines_ = 0;
 };
 
 }  // namespace
 
-SurfaceDocument read_obj(const InputFile& file, Wanted wanted) {
+ReadDocument read_obj(const InputFile& file, Wanted wanted) {
   return Reader(file, wanted).read();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What statements of OBJ say of the elements below them, and what elements name at their corners.
+// Statements of OBJ that hold for the elements below them, and values that elements name at their corners.
 #pragma once
 
 #include <algorithm>
@@ -28,11 +28,11 @@ class ObjLabels {
   std::unordered_map<std::string, std::int64_t> known_;
 };
 
-/// A statement that holds for the elements below it: nothing is stored until there is one.
+/// A statement that holds for the elements below it. Nothing is stored before the first one.
 struct ObjState {
   bool said = false;
-  std::string name;         // as it stands now
-  std::int64_t number = 0;  // likewise; -1: a name not yet numbered
+  std::string name;         // that holds now
+  std::int64_t number = 0;  // of this name; -1: it has none yet
   std::vector<std::int64_t> of_elements;
   ObjLabels labels;
 
@@ -45,29 +45,29 @@ struct ObjState {
   }
 };
 
-/// Values of corners: `vt` or `vn`.
+/// Values at corners: `vt` or `vn`.
 struct ObjCorners {
   std::vector<std::array<double, 3>> all;
   std::int64_t above = 0;  // how many stand above the statement at hand
   int components = 0;
-  std::size_t bad = 0;  // elements that name one that does not exist, or none at some corners
   std::vector<bool> used;
-  std::vector<std::int64_t> named;  // by the element at hand, from 0; none: -1
+  std::vector<std::int64_t>
+      named;  // by the corners of the element at hand, from 0; -1: one that does not exist
   Values values;
 
-  /// When all of `all` are there, and elements begin.
+  /// Called when `all` is complete, before the first element.
   void start(const char* name) {
     values.name = name;
     values.components = components;
     used.resize(all.size());
   }
-  void add_element(std::size_t element) {
+  /// Takes what the element's corners name. False, and nothing is taken, if they name some that do not exist,
+  /// or not at every corner.
+  bool add_element(std::size_t element) {
     const auto count = static_cast<std::int64_t>(all.size());
-    if (std::all_of(named.begin(), named.end(), [](std::int64_t i) { return i == none_named; })) return;
-    if (std::any_of(named.begin(), named.end(), [&](std::int64_t i) { return i < 0 || i >= count; })) {
-      ++bad;
-      return;
-    }
+    if (std::all_of(named.begin(), named.end(), [](std::int64_t i) { return i == none_named; })) return true;
+    if (std::any_of(named.begin(), named.end(), [&](std::int64_t i) { return i < 0 || i >= count; }))
+      return false;
     values.at.push_back(static_cast<Index>(element));
     values.nodes.push_back(static_cast<std::int32_t>(named.size()));
     for (const std::int64_t i : named) {
@@ -75,6 +75,7 @@ struct ObjCorners {
       values.reals.insert(values.reals.end(), numbers.begin(), numbers.begin() + components);
       used[static_cast<std::size_t>(i)] = true;
     }
+    return true;
   }
   static constexpr std::int64_t none_named = INT64_MIN;
 };

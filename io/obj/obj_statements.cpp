@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of OBJ.
 #include "io/obj/obj_statements.hpp"
 
 #include <algorithm>
@@ -10,12 +9,14 @@
 namespace tetproof::io {
 namespace {
 
-// All that OBJ has, since a misspelt `v` must not vanish silently: it would shift all numbers.
-constexpr std::array<std::string_view, 34> skipped{
-    "vp",   "cstype", "deg",    "bmat",       "step",      "curv",  "curv2",   "parm",     "trim",
-    "hole", "scrv",   "sp",     "end",        "con",       "mg",    "bevel",   "c_interp", "d_interp",
-    "lod",  "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech",   "bsp",      "bzp",
-    "cdc",  "cdp",    "res",    "call",       "csh",       "mtlib", "usemtlib"};
+constexpr std::array<std::string_view, 12> read{"v", "vt", "vn", "f", "fo",     "l",
+                                                "p", "g",  "o",  "s", "usemtl", "mtllib"};
+// Free-form curves and surfaces, and what only a renderer needs.
+constexpr std::array<std::string_view, 35> not_read{
+    "vp",       "cstype", "deg",    "bmat",   "step",       "curv",      "curv2", "surf",    "parm",
+    "trim",     "hole",   "scrv",   "sp",     "end",        "con",       "mg",    "bevel",   "c_interp",
+    "d_interp", "lod",    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech",   "bsp",
+    "bzp",      "cdc",    "cdp",    "res",    "call",       "csh",       "mtlib", "usemtlib"};
 
 }  // namespace
 
@@ -46,8 +47,9 @@ void skip_statement(Scanner& scanner) {
   }
 }
 
-bool is_skipped_statement(std::string_view statement) {
-  return std::find(skipped.begin(), skipped.end(), statement) != skipped.end();
+bool is_statement(std::string_view word) {
+  const auto has = [word](const auto& all) { return std::find(all.begin(), all.end(), word) != all.end(); };
+  return has(read) || has(not_read);
 }
 
 }  // namespace tetproof::io

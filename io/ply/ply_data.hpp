@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers behind the header of a PLY file, the same calls for text and for binary.
+// Reads the numbers behind the header of a PLY file, text and binary by the same calls.
 #pragma once
 
 #include <fmt/core.h>
@@ -14,7 +14,7 @@
 
 namespace tetproof::io {
 
-/// Reads the elements' numbers one after another, text or binary.
+/// Reads the numbers of the elements one after another.
 class PlyData {
  public:
   PlyData(Scanner& scanner, const PlyHeader& header) : scanner_(scanner), header_(header) {}
@@ -29,7 +29,7 @@ class PlyData {
       fail(fmt::format("expected {}, found {}", expected, value));
     return static_cast<std::int64_t>(value);
   }
-  /// The number of a list's entries, no more than the rest of the file can hold.
+  /// The number of a list's entries. InputError if the rest of the file cannot hold so many.
   std::size_t entries(const PlyProperty& list) {
     const double value = number(*list.count);
     if (!(value >= 0) || value != std::floor(value))
@@ -41,7 +41,7 @@ class PlyData {
                        shown_name(list.name), value, scanner_.remaining()));
     return static_cast<std::size_t>(value);
   }
-  /// Checks an element's count against what is left of the file before anybody believes it.
+  /// Checks the count of an element against the rest of the file, before memory is reserved for it.
   void begin(const PlyElement& element) {
     std::size_t least_bytes = 0;
     for (const PlyProperty& property : element.properties)
@@ -52,7 +52,7 @@ class PlyData {
       fail(fmt::format("element '{}' announces {} of at least {} bytes, more than the {} bytes left can hold",
                        shown_name(element.name), element.count, least_bytes, scanner_.remaining()));
   }
-  /// Where the next instance starts.
+  /// Goes to the next instance; returns the byte where it starts.
   std::size_t start_instance() {
     if (header_.text) scanner_.at_end();
     return scanner_.offset();
@@ -62,7 +62,7 @@ class PlyData {
     const std::string_view found = scanner_.word();
     scanner_.fail("the end of the line", found);
   }
-  /// Nothing but blanks may follow the last element: a count too small would lose the rest silently.
+  /// InputError if anything but blanks follows the last element: its count is too small.
   void end(const PlyElement& last) {
     if (scanner_.at_end()) return;
     const std::string expected =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The header of a PLY file: elements, their properties and the types of these.
+// The header of a PLY file: elements, their properties, and the types of these.
 #pragma once
 
 #include <bit>
@@ -22,19 +22,20 @@ struct PlyType {
   char* (*store)(char*, double);  // little endian
 };
 
-/// The type with this name, old or new; null for none.
+/// The type with this name, old ("uchar") or new ("uint8"); null if there is none.
 const PlyType* ply_type(std::string_view name);
-/// The smallest type that holds all of them exactly; null for none. `binary`: else a float is not rounded.
+/// The smallest type that holds all numbers exactly; null if there is none.
 const PlyType* type_for(const std::vector<double>& numbers);
 const PlyType* type_for(const std::vector<std::int64_t>& numbers);
+/// Whether a type holds all numbers exactly. In text (not `binary`), a float is not rounded.
 bool fits(const PlyType& type, const std::vector<double>& numbers, bool binary);
 bool fits(const PlyType& type, const std::vector<std::int64_t>& numbers);
 
 struct PlyProperty {
   std::string name;
   const PlyType* type = nullptr;
-  const PlyType* count = nullptr;  // of a list's entries; none for a single number
-  std::string type_words;          // as the file has it: "float", "list uchar int"
+  const PlyType* count = nullptr;  // the type of a list's number of entries; null for a single number
+  std::string type_words;          // as in the file: "float", "list uchar int"
 };
 
 struct PlyElement {
@@ -50,7 +51,7 @@ struct PlyHeader {
   std::string title;
 };
 
-/// Leaves the scanner at the first byte of the data.
+/// Reads the header, and leaves the scanner at the first byte of the data.
 PlyHeader read_ply_header(Scanner& scanner, std::string_view bytes);
 
 }  // namespace tetproof::io

@@ -2,51 +2,25 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
 #include "io/ply/ply.hpp"
 #include "io/ply/ply_data.hpp"
 #include "io/ply/ply_header.hpp"
-#include "io/ply/ply_names.hpp"
+#include "io/ply/ply_properties.hpp"
+#include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
 namespace {
-
-void skip(PlyData& data, const PlyProperty& property) {
-  const std::size_t numbers = property.count ? data.entries(property) : 1;
-  for (std::size_t i = 0; i < numbers; ++i) data.number(*property.type);
-}
-
-bool names_corners(const PlyProperty& property) {
-  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
-// What a property of all instances of an element says.
-struct Stored {
-  std::vector<double> reals;
-  std::vector<std::int64_t> integers;
-  std::vector<std::int32_t> lengths;
-
-  void read(PlyData& data, const PlyProperty& property) {
-    const std::size_t numbers = property.count ? data.entries(property) : 1;
-    if (property.count) lengths.push_back(static_cast<std::int32_t>(numbers));
-    for (std::size_t i = 0; i < numbers; ++i)
-      if (property.type->real)
-        reals.push_back(data.number(*property.type));
-      else
-        integers.push_back(data.integer(*property.type, "an integer"));
-  }
-};
 
 class Reader {
  public:
@@ -62,21 +36,21 @@ class Reader {
     document.title = header_.title;
   }
 
-  SurfaceDocument read() {
+  ReadDocument read() {
     choose();
     struct Later {
       const PlyElement* element;
       Scanner scanner;
     };
-    std::vector<Later> later;  // what names points and stands above them
+    std::vector<Later> later;  // elements that name points, and stand above these
     bool points = false;
     for (const PlyElement& element : header_.elements) {
       if (&element == vertices_) {
         read_vertices();
         points = true;
-      } else if ((&element == faces_ || &element == edges_) && !points) {
+      } else if ((&element == faces_ || &element == strips_ || &element == edges_) && !points) {
         later.push_back({&element, scanner_});
-        skip_all(element);
+        skip_element(data_, element);
       } else {
         read_other(element);
       }
@@ -86,12 +60,12 @@ class Reader {
       scanner_ = one.scanner;
       read_other(*one.element);
     }
-    join_values();
+    properties_.join_values();
     return std::move(source_);
   }
 
  private:
-  // Which elements are the points, faces and lines.
+  // Finds the elements that are the points, faces, strips of triangles and lines.
   void choose() {
     const auto has = [](const PlyElement& element, std::string_view name) {
       return std::any_of(element.properties.begin(), element.properties.end(),
@@ -99,9 +73,10 @@ class Reader {
     };
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") vertices_ = &element;
-      if (element.name == "face" &&
-          std::any_of(element.properties.begin(), element.properties.end(), names_corners))
-        faces_ = &element;
+      const bool has_corners =
+          std::any_of(element.properties.begin(), element.properties.end(), names_corners);
+      if (element.name == "face" && has_corners) faces_ = &element;
+      if (element.name == "tristrips" && has_corners) strips_ = &element;
       if (element.name == "edge" && !surface_ && has(element, "vertex1") && has(element, "vertex2"))
         edges_ = &element;
     }
@@ -111,17 +86,8 @@ class Reader {
     if (!vertices_) lacks("an element 'vertex'");
     for (const char* axis : {"x", "y", "z"})
       if (!has(*vertices_, axis)) lacks(fmt::format("a property '{}' of element 'vertex'", axis));
-    if (!faces_ && surface_) lacks("an element 'face' with a list 'vertex_indices' or 'vertex_index'");
-  }
-
-  void skip_all(const PlyElement& element) {
-    if (element.properties.empty()) return;
-    data_.begin(element);
-    for (std::int64_t i = 0; i < element.count; ++i) {
-      data_.start_instance();
-      for (const PlyProperty& property : element.properties) skip(data_, property);
-      data_.end_instance();
-    }
+    if (!faces_ && !strips_ && surface_)
+      lacks("an element 'face' with a list 'vertex_indices' or 'vertex_index'");
   }
 
   void read_vertices() {
@@ -135,7 +101,7 @@ class Reader {
                      : property.name == "y" ? 1
                      : property.name == "z" ? 2
                                             : -1);
-    std::vector<Stored> stored(axis.size());
+    std::vector<PlyStored> stored(axis.size());
     auto& points = source_.document.points;
     reserve_in_large_pages(points, static_cast<std::size_t>(element.count));
     for (std::int64_t i = 0; i < element.count; ++i) {
@@ -145,7 +111,7 @@ class Reader {
         if (axis[k] >= 0)
           point[axis[k]] = data_.number(*element.properties[k].type);
         else if (surface_)
-          skip(data_, element.properties[k]);
+          skip_property(data_, element.properties[k]);
         else
           stored[k].read(data_, element.properties[k]);
       data_.end_instance();
@@ -157,10 +123,12 @@ class Reader {
   void read_other(const PlyElement& element) {
     if (&element == faces_)
       read_faces();
+    else if (&element == strips_)
+      read_strips();
     else if (&element == edges_)
       read_edges();
     else if (surface_)
-      skip_all(element);
+      skip_element(data_, element);
     else
       read_table(element);
   }
@@ -178,14 +146,14 @@ class Reader {
     if (surface_) reserve_in_large_pages(source_.places, likely);
     std::size_t list = 0;
     while (!names_corners(element.properties[list])) ++list;
-    std::vector<Stored> stored(element.properties.size());
+    std::vector<PlyStored> stored(element.properties.size());
     std::vector<Index> corners;
     for (std::int64_t i = 0; i < element.count; ++i) {
       const std::size_t place = data_.start_instance();
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         if (k != list) {
-          surface_ ? skip(data_, property) : stored[k].read(data_, property);
+          surface_ ? skip_property(data_, property) : stored[k].read(data_, property);
           continue;
         }
         corners.resize(data_.entries(property));
@@ -215,8 +183,44 @@ class Reader {
         first);
   }
 
-  // Two numbers for each corner of each face.
-  bool is_texture(const Stored& stored, std::size_t first) const {
+  // Triangles of each strip: corners 1 2 3, then 3 2 4, and so on; -1 ends a strip. Two equal corners only
+  // turn the strip, and make no triangle.
+  void read_strips() {
+    const PlyElement& element = *strips_;
+    Document& document = source_.document;
+    data_.begin(element);
+    NodeIndex nodes(document);
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      const std::size_t place = data_.start_instance();
+      std::vector<std::int64_t> strip;
+      for (const PlyProperty& property : element.properties) {
+        if (!names_corners(property)) {
+          skip_property(data_, property);
+          continue;
+        }
+        strip.resize(data_.entries(property));
+        for (std::int64_t& corner : strip) corner = data_.integer(*property.type, "a vertex or -1");
+      }
+      data_.end_instance();
+      std::size_t start = 0;
+      for (std::size_t k = 0; k < strip.size(); ++k) {
+        if (strip[k] == -1) start = k + 1;
+        if (k < start + 2) continue;
+        const bool turned = (k - start) % 2 == 1;
+        const std::int64_t a = strip[turned ? k - 1 : k - 2], b = strip[turned ? k - 2 : k - 1], c = strip[k];
+        if (a == b || b == c || c == a) continue;
+        if (surface_) source_.places.push_back(place);
+        add_element(document, std::array{nodes(a), nodes(b), nodes(c)});
+      }
+    }
+    if (surface_) return;
+    for (const PlyProperty& property : element.properties)
+      if (!names_corners(property))
+        add_loss(document.dropped, "properties of tristrips", 1, shown_name(property.name));
+  }
+
+  // Whether a list has two numbers for each corner of each face.
+  bool is_texture(const PlyStored& stored, std::size_t first) const {
     const Document& document = source_.document;
     if (stored.lengths.empty() || stored.reals.empty()) return false;
     std::size_t i = 0;
@@ -232,7 +236,7 @@ class Reader {
     data_.begin(element);
     NodeIndex nodes(document);
     const std::size_t first = document.elements();
-    std::vector<Stored> stored(element.properties.size());
+    std::vector<PlyStored> stored(element.properties.size());
     const auto end = [](const PlyProperty& p) {
       return p.count ? -1 : p.name == "vertex1" ? 0 : p.name == "vertex2" ? 1 : -1;
     };
@@ -256,95 +260,20 @@ class Reader {
         document.element_values, first);
   }
 
-  static Column column_of(const PlyProperty& property, Stored& stored) {
-    Column column;
-    column.name = decode_name(property.name), column.type = property.type_words;
-    column.reals = std::move(stored.reals), column.integers = std::move(stored.integers);
-    column.lengths = std::move(stored.lengths);
-    return column;
-  }
-
   void read_table(const PlyElement& element) {
     data_.begin(element);
-    std::vector<Stored> stored(element.properties.size());
+    std::vector<PlyStored> stored(element.properties.size());
     for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
       data_.start_instance();
       for (std::size_t k = 0; k < stored.size(); ++k) stored[k].read(data_, element.properties[k]);
       data_.end_instance();
     }
-    Table& table = source_.document.tables.emplace_back();
-    table.name = decode_name(element.name), table.rows = static_cast<std::size_t>(element.count);
-    for (std::size_t k = 0; k < stored.size(); ++k)
-      table.columns.push_back(column_of(element.properties[k], stored[k]));
+    properties_.give_table(element, stored);
   }
 
-  // The properties of points, faces or lines: single numbers as values, lists as a table.
-  void give(const PlyElement& element, std::vector<Stored>& stored,
+  void give(const PlyElement& element, std::vector<PlyStored>& stored,
             const std::function<bool(std::size_t)>& wanted, std::vector<Values>& all, std::size_t first) {
-    if (surface_) return;
-    std::vector<std::size_t> singles;
-    std::vector<std::string> names;
-    std::vector<bool> real;
-    Table lists;
-    for (std::size_t k = 0; k < stored.size(); ++k) {
-      const PlyProperty& property = element.properties[k];
-      if (!wanted(k)) continue;
-      if (property.count) {
-        lists.columns.push_back(column_of(property, stored[k]));
-      } else {
-        singles.push_back(k), names.push_back(property.name), real.push_back(property.type->real);
-      }
-    }
-    if (!lists.columns.empty()) {
-      lists.name = element.name, lists.rows = static_cast<std::size_t>(element.count);
-      source_.document.tables.push_back(std::move(lists));
-    }
-    if (element.count == 0) return;
-    for (const PlyGroup& group : group_properties(names, real)) {
-      Values values{.name = group.name, .components = static_cast<int>(group.components)};
-      values.first = first;
-      const auto weave = [&](auto member) {
-        auto& to = values.*(member.first);
-        if (group.components == 1) {
-          to = std::move(stored[singles[group.first]].*(member.second));
-          return;
-        }
-        to.reserve(group.components * static_cast<std::size_t>(element.count));
-        for (std::size_t i = 0; i < static_cast<std::size_t>(element.count); ++i)
-          for (std::size_t k = 0; k < group.components; ++k)
-            to.push_back((stored[singles[group.first + k]].*(member.second))[i]);
-      };
-      if (real[group.first])
-        weave(std::pair{&Values::reals, &Stored::reals});
-      else
-        weave(std::pair{&Values::integers, &Stored::integers});
-      if (group.name == "color") warn_of_colours(source_.document, values, element.name.c_str());
-      if (&all == &source_.document.element_values) {
-        const auto word = names.begin() + static_cast<std::ptrdiff_t>(group.first);
-        property_names_.emplace_back(word, word + static_cast<std::ptrdiff_t>(group.components));
-      }
-      all.push_back(std::move(values));
-    }
-  }
-
-  // Values that both faces and lines have are one; those whose properties have different names are two, even
-  // if these mean the same.
-  void join_values() {
-    auto& all = source_.document.element_values;
-    std::map<std::pair<std::vector<std::string>, bool>, std::size_t> known;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto [place, is_new] = known.try_emplace({property_names_[i], all[i].reals.empty()}, kept);
-      Values& before = all[place->second];
-      if (!is_new && before.first + before.items() == all[i].first) {
-        before.reals.insert(before.reals.end(), all[i].reals.begin(), all[i].reals.end());
-        before.integers.insert(before.integers.end(), all[i].integers.begin(), all[i].integers.end());
-      } else {
-        if (kept != i) all[kept] = std::move(all[i]);
-        ++kept;
-      }
-    }
-    all.resize(kept);
+    if (!surface_) properties_.give(element, stored, wanted, all, first);
   }
 
   const InputFile& file_;
@@ -352,14 +281,14 @@ class Reader {
   Scanner scanner_;
   const PlyHeader header_;
   PlyData data_;
-  SurfaceDocument source_;
-  std::vector<std::vector<std::string>> property_names_;  // of each of the values of elements
-  const PlyElement *vertices_ = nullptr, *faces_ = nullptr, *edges_ = nullptr;
+  ReadDocument source_;
+  PlyProperties properties_{source_.document};
+  const PlyElement *vertices_ = nullptr, *faces_ = nullptr, *strips_ = nullptr, *edges_ = nullptr;
 };
 
 }  // namespace
 
-SurfaceDocument read_ply(const InputFile& file, Wanted wanted) {
+ReadDocument read_ply(const InputFile& file, Wanted wanted) {
   return Reader(file, wanted).read();
 }
 

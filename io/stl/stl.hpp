@@ -7,20 +7,22 @@
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/file_plan.hpp"
-#include "io/surface/surface_document.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof::io {
 
-/// Reads STL. Binary if the number of facets after the 80 bytes of header is what the file's size says,
-/// whatever the header's first letters are, or if it is 0 and the size is 84 + 50 n (writers that never go
-/// back to fill it in); otherwise text: any number of solids, keywords in any case, names and `endsolid` may
-/// be missing, normals may be anything. Coordinates of the text form are read as doubles.
+/// Reads STL. The file is binary if the number of facets behind the header of 80 bytes is the one that the
+/// file's size allows, whatever the first letters of the header are; or if that number is 0 and the size is
+/// 84 + 50 n (some writers never go back to fill it in). Less than a facet behind the last one is dropped.
+/// Every other file is text: any number of solids, keywords in any case, `end` in one word with its keyword
+/// or apart from it; names and `endsolid` may be missing. Coordinates of the text form are read as doubles.
 ///
 /// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see
-/// io/stl/stl_solids.hpp. Binary: the header without blanks and zeros around it is the title; attributes, if
-/// any is not 0, are values of elements "attribute". Normals are not kept, but a warning says how many stand
-/// against the order of the corners. Throws InputError.
-SurfaceDocument read_stl(const InputFile& file, Wanted wanted);
+/// io/stl/stl_solids.hpp. Binary: the header, without blanks and zeros around it, is the title; attributes
+/// are values of elements "attribute" if any of them is not 0. Normals are not kept: those that point against
+/// the order of the corners are dropped, the others follow from it. They are not looked at if only a surface
+/// is wanted. Throws InputError.
+ReadDocument read_stl(const InputFile& file, Wanted wanted);
 
 /// STL: triangles of any order by their corners, and planar and convex polygons as fans of triangles
 /// (io/surface/polygons.hpp), but for those that name nodes which do not exist. Binary: coordinates are

@@ -11,11 +11,13 @@
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/model/weld.hpp"
 #include "io/stl/stl.hpp"
 #include "io/stl/stl_solids.hpp"
+#include "io/surface/text_of_file.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -32,20 +34,26 @@ void expect(Scanner& scanner, std::string_view lower) {
   if (!same_word(word, lower)) scanner.fail(fmt::format("'{}'", lower), word);
 }
 
-// How many facets a binary file of this size holds; none if it is text.
-std::optional<std::size_t> binary_facets(const InputFile& file) {
+// A binary file: its facets, and bytes behind the last one.
+struct Binary {
+  std::size_t facets = 0, trailing = 0;
+};
+
+// None if the file is text.
+std::optional<Binary> binary_form(const InputFile& file) {
   const std::string_view bytes = file.bytes();
-  if (bytes.size() >= stl_header_bytes) {
-    const std::size_t announced = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
-    const std::size_t facets = (bytes.size() - stl_header_bytes) / stl_facet_bytes;
-    const bool whole = (bytes.size() - stl_header_bytes) % stl_facet_bytes == 0;
-    if (whole && (announced == facets || announced == 0)) return facets;
-    // No text has a zero byte: a binary file that lost its end, or its count.
-    if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
-      throw InputError(
-          fmt::format("{}: byte 80: expected {} bytes for the {} facets announced here, found {}",
-                      file.path(), stl_header_bytes + stl_facet_bytes * announced, announced, bytes.size()));
-  }
+  if (bytes.size() < stl_header_bytes) return {};
+  const std::size_t announced = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
+  const std::size_t facets = (bytes.size() - stl_header_bytes) / stl_facet_bytes;
+  const std::size_t trailing = (bytes.size() - stl_header_bytes) % stl_facet_bytes;
+  if (trailing == 0 && (announced == facets || announced == 0)) return Binary{facets, 0};
+  // Four characters of a text would announce more facets than any file has.
+  if (announced == facets && facets > 0) return Binary{facets, trailing};
+  // No text has a zero byte: this is a binary file that lost its end, or its count.
+  if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
+    throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} facets announced here, found {}",
+                                 file.path(), stl_header_bytes + stl_facet_bytes * announced, announced,
+                                 bytes.size()));
   return {};
 }
 
@@ -55,9 +63,9 @@ class Reader {
     document_.path = file.path(), document_.format = "stl";
   }
 
-  SurfaceDocument read() {
-    if (const auto facets = binary_facets(file_))
-      read_binary(*facets);
+  ReadDocument read() {
+    if (const std::optional<Binary> binary = binary_form(file_))
+      read_binary(binary->facets, binary->trailing);
     else
       read_text();
     return finish();
@@ -65,17 +73,19 @@ class Reader {
 
  private:
   struct Solid {
-    std::string line;  // what stands behind "solid"
+    std::string line;  // the words behind "solid"
     std::size_t facets = 0;
   };
 
-  void read_binary(std::size_t facets) {
+  void read_binary(std::size_t facets, std::size_t trailing) {
     source_.text = false;
     if (!surface_) {
       document_.title = stl_title(file_.bytes().substr(0, 80));
       if (load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little) != facets)
-        warn(fmt::format("byte 80: 0 facets are announced, and {} are there", facets));
+        warn(fmt::format("byte 80: 0 facets are announced, {} are there", facets));
     }
+    add_loss(document_.dropped, "bytes behind the last facet", trailing,
+             fmt::format("byte {}", stl_header_bytes + stl_facet_bytes * facets));
     Values attributes{.name = "attribute"};
     points_.reserve(3 * facets);
     for (std::size_t i = 0; i < facets; ++i) {
@@ -96,12 +106,22 @@ class Reader {
     if (!attributes.integers.empty()) document_.element_values.push_back(std::move(attributes));
   }
 
+  // Reads the words of these names in one, such as "endloop"; or in two, "end loop", which some writers use.
+  bool is_end(std::string_view word, std::string_view of, Scanner& scanner) {
+    if (word.size() == 3 + of.size() && same_word(word.substr(0, 3), "end") && same_word(word.substr(3), of))
+      return true;
+    if (!same_word(word, "end") || !same_word(scanner.peek_word(), of)) return false;
+    if (ends_in_two_words_++ == 0) first_end_in_two_words_ = scanner.offset();
+    scanner.word();
+    return true;
+  }
+
   // From behind "facet" to behind "endfacet".
   void read_facet(Scanner& scanner, std::size_t place) {
     std::string_view word = scanner.word();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    if (same_word(word,
-                  "normal")) {  // three words that are often no numbers; some writers put "-nan(ind)" there
+    // Three words that are often no numbers: some writers put "-nan(ind)" there.
+    if (same_word(word, "normal")) {
       word = scanner.word();
       for (int k = 0; k < 3 && !same_word(word, "outer"); ++k) {
         if (!surface_ && !parse_real(word, normal[k])) normal[k] = std::nan("");
@@ -116,14 +136,15 @@ class Reader {
       for (int k = 0; k < 3; ++k) point[k] = scanner.real("a coordinate");
       if (++vertices <= 3) points_.push_back(point);
     }
-    if (!same_word(word, "endloop")) scanner.fail("'vertex' or 'endloop'", word);
+    if (!is_end(word, "loop", scanner)) scanner.fail("'vertex' or 'endloop'", word);
     if (vertices != 3) scanner.fail_in_line(fmt::format("facet has {} vertices, expected 3", vertices));
-    expect(scanner, "endfacet");
+    if (word = scanner.word(); !is_end(word, "facet", scanner)) scanner.fail("'endfacet'", word);
     if (!surface_) check_normal(normal, place);
   }
 
   void read_text() {
-    Scanner scanner(file_);
+    text_ = text_of_file(file_, document_);
+    Scanner scanner = start_of_text(file_, text_);
     std::string_view word = scanner.word();
     if (!same_word(word, "solid") && !same_word(word, "facet")) scanner.fail("'solid'", word);
     for (; !word.empty(); word = scanner.word()) {
@@ -134,22 +155,22 @@ class Reader {
         ++solids_.back().facets;
       } else if (same_word(word, "solid")) {
         solids_.push_back({stl_title(scanner.rest_of_line()), 0});
-      } else if (same_word(word, "endsolid")) {
-        scanner.rest_of_line();  // its name again, or none
+      } else if (is_end(word, "solid", scanner)) {
+        scanner.rest_of_line();  // the name again, or none
       } else {
         scanner.fail("'facet', 'endsolid' or 'solid'", word);
       }
     }
   }
 
-  // Whether it points against the last three corners.
+  // Counts normals that point against the order of the last three corners.
   void check_normal(const Eigen::Vector3d& normal, std::size_t place) {
     const Eigen::Vector3d* p = points_.data() + points_.size() - 3;
     if (!(normal.dot((p[1] - p[0]).cross(p[2] - p[0])) < 0)) return;
     if (against_++ == 0) first_against_ = place;
   }
 
-  SurfaceDocument finish() {
+  ReadDocument finish() {
     if (points_.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
       throw InputError(
           fmt::format("{}: {} facets, at most 715827882 can be numbered", file_.path(), points_.size() / 3));
@@ -174,18 +195,20 @@ class Reader {
                                   .nodes = 3 * first});
       first += solids_[s].facets;
     }
-    if (against_ > 0) {
-      const Scanner scanner(file_.path(), file_.bytes(), first_against_);
-      warn(fmt::format(
-          "the normals of {} facets point against the order of their corners (first: {}); they are not kept",
-          against_,
-          source_.text ? fmt::format("line {}", scanner.line()) : fmt::format("byte {}", first_against_)));
-    }
+    if (against_ > 0)
+      add_loss(document_.dropped, "normals that point against the order of the corners", against_,
+               source_.text ? fmt::format("line {}", line_of(first_against_))
+                            : fmt::format("byte {}", first_against_));
+    if (ends_in_two_words_ > 0)
+      warn(
+          fmt::format("line {}: `end` stands apart from `loop`, `facet` or `solid` {} times (the first such)",
+                      line_of(first_end_in_two_words_), ends_in_two_words_));
     source_.document = std::move(document_);
-    if (surface_) source_.places.resize(first);  // nothing can be wrong with a triangle
     source_.welded = true;
     return std::move(source_);
   }
+
+  std::int64_t line_of(std::size_t place) const { return Scanner(file_.path(), text_, place).line(); }
 
   void warn(const std::string& what) {
     document_.warnings.push_back(fmt::format("{}: {}", file_.path(), what));
@@ -194,15 +217,17 @@ class Reader {
   const InputFile& file_;
   const bool surface_;
   Document document_;
-  SurfaceDocument source_;
+  ReadDocument source_;
   std::vector<Eigen::Vector3d> points_;  // three of each facet
   std::vector<Solid> solids_;
+  std::string_view text_;  // of a text file
   std::size_t against_ = 0, first_against_ = 0;
+  std::size_t ends_in_two_words_ = 0, first_end_in_two_words_ = 0;
 };
 
 }  // namespace
 
-SurfaceDocument read_stl(const InputFile& file, Wanted wanted) {
+ReadDocument read_stl(const InputFile& file, Wanted wanted) {
   return Reader(file, wanted).read();
 }
 

@@ -8,7 +8,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/tokens.hpp"
-#include "io/obj/obj_names.hpp"
+#include "io/surface/group_names.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes and texts of STL that its reader and its writer agree on.
+// Sizes and names in STL files that the reader and the writer share.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tetproof::io {
 
 inline constexpr std::size_t stl_header_bytes = 84, stl_facet_bytes = 50;
 
-/// What is left of a binary header or a solid's line without the blanks and zeros around it.
+/// A binary header, or the words behind `solid`, without the blanks and zeros around them.
 std::string stl_title(std::string_view text);
 
 /// The physical group of a solid; number 0: none.
@@ -21,12 +21,12 @@ struct StlGroup {
   std::int64_t number = 0;
 };
 
-/// The groups of solids with these words behind `solid`: `wing #5` is the group 5 called wing, `5` the group
-/// 5 without a name, `#0` no group, `wing` a group with the next number, from 1 past those that are said. A
-/// single solid without words is no group, several are one each.
+/// The groups of solids with these words behind `solid`. `wing #5` is group 5, called wing; `5` is group 5
+/// without a name; `#0` is no group; `wing` is a group with the next free number from 1 on. If one solid only
+/// has no words, it is no group; if several have none, each is a group.
 std::vector<StlGroup> groups_of_solids(const std::vector<std::string>& lines);
 
-/// The words for solids of these groups.
+/// The words behind `solid` from which `groups_of_solids` makes these groups again.
 std::vector<std::string> lines_of_groups(const std::vector<StlGroup>& groups);
 
 }  // namespace tetproof::io

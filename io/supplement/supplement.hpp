@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 
@@ -44,7 +45,7 @@ void take_back(std::string_view lines, const std::string& place, Document& nativ
 /// Returns the lines of the supplement in comments at the end of `file`; empty: there is none. If a checksum,
 /// of this file or of another one whose name is `stem` and an ending, is wrong, the supplement is ignored
 /// with a warning.
-std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native);
+std::string supplement_in_comments(const InputFile& file, const std::string& stem, Document& native);
 
 /// Whether the document had no values of elements, so that those in the native part are only for other
 /// programs.

@@ -55,8 +55,7 @@ std::string outdated_supplement(const std::string& path) {
       "{}: changed since its supplement (names, groups, ...) was written: the supplement is ignored", path);
 }
 
-std::string supplement_in_comments(const std::string& file, const std::string& stem, Document& native) {
-  const InputFile input(file);
+std::string supplement_in_comments(const InputFile& input, const std::string& stem, Document& native) {
   std::string_view bytes = input.bytes();
   const std::size_t start = find_start(bytes);
   if (start == bytes.npos) return {};
@@ -73,7 +72,7 @@ std::string supplement_in_comments(const std::string& file, const std::string& s
   for (const Checksum& checksum : checksums)
     unchanged = unchanged && is_unchanged(checksum, input, start, stem);
   if (unchanged) return lines;
-  native.warnings.push_back(outdated_supplement(file));
+  native.warnings.push_back(outdated_supplement(input.path()));
   return {};
 }
 

@@ -3,36 +3,205 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+
+#include "io/bytes/large_pages.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
+#include "io/surface/polygons.hpp"
 
-namespace tetproof::io {
+namespace tetproof {
+namespace io {
+namespace {
 
-TriangleSurface welded_surface(const Document& document) {
-  std::size_t triangles = 0;
-  for (const ElementBlock& block : document.blocks) {
-    const ElementType* type = element_type(block.type);
-    if ((type ? type->dim : block.dim) != 2 || block.count == 0) continue;
-    const auto fail = [&](std::size_t element, const std::string& message) {
-      throw InputError(fmt::format("{}: element {} {}", document.path,
-                                   document.element_tag(block.first + element), message));
-    };
-    if (!type || type->shape != Shape::triangle) fail(0, "is no triangle; cut it into triangles");
-    for (std::size_t e = 0; e < block.count; ++e)
-      for (int k = 0; k < 3; ++k) {
-        const Index node = document.connectivity[block.nodes + e * block.nodes_each + k];
-        if (node < 0) fail(e, fmt::format("names node {}, which does not exist", document.named(node)));
-      }
-    triangles += block.count;
-  }
-  if (triangles == 0)
-    throw InputError(fmt::format("{}: expected a surface, found no triangles", document.path));
-  TriangleSurface surface = surface_of(document);
-  const std::vector<Index> moved = weld(surface.vertices);
-  for (auto& triangle : surface.triangles)
-    for (Index& corner : triangle) corner = moved[corner];
-  return surface;
+// Where the elements stand in a file.
+struct Places {
+  const InputFile& file;
+  const std::vector<std::size_t>& bytes;
+  bool text;
+};
+
+// The number of corners of each element of a block; 0 if these are no faces that can be cut.
+int corners_of_faces(const ElementBlock& block) {
+  if (block.type == polygon) return block.nodes_each;
+  const ElementType* type = element_type(block.type);
+  return type && (type->shape == Shape::triangle || type->shape == Shape::quadrangle) ? type->corners : 0;
 }
 
-}  // namespace tetproof::io
+int dimension(const ElementBlock& block) {
+  const ElementType* type = element_type(block.type);
+  return type ? type->dim : block.dim;
+}
+
+// Polygons of fewer than three corners are read as lines and points. In an OFF or a .poly they are faces that
+// went wrong.
+bool is_thin_face(const Document& document, const ElementBlock& block) {
+  return dimension(block) < 2 && (block.of_boundary || document.format == "off");
+}
+
+// Welds the points and cuts the faces one by one.
+class Cutter {
+ public:
+  Cutter(const Document& document, std::vector<Eigen::Vector3d> points, const Places* places)
+      : document_(document), places_(places), points_(points.size()) {
+    surface_.vertices = std::move(points);
+  }
+
+  TriangleSurface take(bool welded) {
+    if (!document_.facets.empty()) {
+      const Facet& facet = document_.facets.front();
+      fail(facet.first, fmt::format("is of a facet of {} polygons and {} holes, expected one polygon without "
+                                    "holes; cut it into triangles",
+                                    facet.polygons, facet.holes.size()));
+    }
+    std::size_t triangles = 0;
+    for (const ElementBlock& block : document_.blocks) {
+      check(block);
+      if (const int corners = corners_of_faces(block); corners >= 3)
+        triangles += block.count * static_cast<std::size_t>(corners - 2);
+    }
+    if (triangles == 0)
+      throw InputError(fmt::format("{}expected a surface, found no triangles or polygons",
+                                   document_.path.empty() ? "" : document_.path + ": "));
+    leave_out_others();
+    if (!welded) weld_points();
+    reserve_in_large_pages(surface_.triangles, triangles);
+    for (const ElementBlock& block : document_.blocks) {
+      const int corners = corners_of_faces(block);
+      if (corners == 0) continue;
+      const Index* node = document_.connectivity.data() + block.nodes;
+      for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
+        add({node, static_cast<std::size_t>(corners)}, block.first + e);
+    }
+    return std::move(surface_);
+  }
+
+ private:
+  // "element 8 WHAT", or "face WHAT" in its place in the file.
+  [[noreturn]] void fail(std::size_t element, const std::string& what) const {
+    if (places_) {
+      const Scanner scanner(places_->file.path(), places_->file.bytes(), places_->bytes[element]);
+      if (places_->text) scanner.fail_in_line("face " + what);
+      scanner.fail_at_byte("face " + what);
+    }
+    throw InputError(fmt::format("{}element {} {}", document_.path.empty() ? "" : document_.path + ": ",
+                                 document_.element_tag(element), what));
+  }
+
+  void check(const ElementBlock& block) const {
+    if (block.count == 0) return;
+    if (is_thin_face(document_, block))
+      fail(block.first, fmt::format("has {} corners, expected at least 3", block.nodes_each));
+    if (dimension(block) == 2 && corners_of_faces(block) == 0)
+      fail(block.first,
+           fmt::format("of type {} is neither a triangle, a quadrangle nor a polygon", block.type));
+  }
+
+  // Leaves out points that elements use, but none of them as the corner of a face.
+  void leave_out_others() {
+    const bool all_are_faces =
+        std::all_of(document_.blocks.begin(), document_.blocks.end(), [](const ElementBlock& block) {
+          return block.count == 0 || corners_of_faces(block) == block.nodes_each;
+        });
+    if (all_are_faces) return;
+    enum : unsigned char { unused, used, corner };
+    std::vector<unsigned char> uses(surface_.vertices.size(), unused);
+    for (const ElementBlock& block : document_.blocks) {
+      const int corners = corners_of_faces(block);
+      const Index* node = document_.connectivity.data() + block.nodes;
+      for (std::size_t e = 0; e < block.count; ++e)
+        for (int k = 0; k < block.nodes_each; ++k, ++node)
+          if (*node >= 0) uses[*node] = std::max<unsigned char>(uses[*node], k < corners ? corner : used);
+    }
+    moved_.resize(uses.size());
+    Index kept = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      moved_[i] = kept;
+      if (uses[i] == used) continue;
+      surface_.vertices[static_cast<std::size_t>(kept++)] = surface_.vertices[i];
+    }
+    surface_.vertices.resize(static_cast<std::size_t>(kept));
+  }
+
+  void weld_points() {
+    std::vector<Index> welded = weld(surface_.vertices);
+    if (moved_.empty()) {
+      moved_ = std::move(welded);
+      return;
+    }
+    // Points that are left out may have a position behind the last one; no face names them.
+    for (Index& moved : moved_)
+      if (static_cast<std::size_t>(moved) < welded.size()) moved = welded[static_cast<std::size_t>(moved)];
+  }
+
+  void add(std::span<const Index> face, std::size_t element);
+  std::string unknown_corner(Index corner) const;
+
+  Index position(Index node) const { return moved_.empty() ? node : moved_[static_cast<std::size_t>(node)]; }
+
+  const Document& document_;
+  const Places* places_;
+  const std::size_t points_;    // how many the document has
+  std::vector<Index> moved_;    // the new position of each point; empty: as it was
+  std::vector<Index> corners_;  // of the face at hand
+  TriangleSurface surface_;
+};
+
+std::string Cutter::unknown_corner(Index corner) const {
+  const std::int64_t named = document_.named(corner);
+  if (!places_) return fmt::format("names node {}, which does not exist", named);
+  if (points_ == 0) return fmt::format("names vertex {}, but there are no vertices", named);
+  return fmt::format("names vertex {}, expected {} to {}", named, document_.first_node,
+                     static_cast<std::int64_t>(points_) - 1 + document_.first_node);
+}
+
+void Cutter::add(std::span<const Index> face, std::size_t element) {
+  if (face.size() == 3 && face[0] >= 0 && face[1] >= 0 && face[2] >= 0) {  // nearly all faces
+    surface_.triangles.push_back({position(face[0]), position(face[1]), position(face[2])});
+    return;
+  }
+  if (face.size() < 3) fail(element, fmt::format("has {} corners, expected at least 3", face.size()));
+  corners_.clear();
+  for (const Index corner : face) {
+    if (corner < 0) fail(element, unknown_corner(corner));
+    corners_.push_back(position(corner));
+  }
+  auto& triangles = surface_.triangles;
+  const std::array<Index, 3> as_named{corners_[0], corners_[1], corners_[2]};
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
+  const std::size_t n = corners_.size();
+  if (n < 3) {
+    triangles.push_back(as_named);
+    return;
+  }
+  std::size_t start = 0;
+  if (n > 3) {
+    const Fan fan = fan_of(corners_, surface_.vertices);
+    if (fan.start < 0)
+      fail(element, fmt::format("with {} corners {}; cut it into triangles", face.size(), fan.fault));
+    start = static_cast<std::size_t>(fan.start);
+  }
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    triangles.push_back({corners_[start], corners_[(start + i) % n], corners_[(start + i + 1) % n]});
+}
+
+}  // namespace
+
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file) {
+  const Places places{file, read.places, read.text};
+  std::vector<Eigen::Vector3d> points = std::move(read.document.points);
+  return Cutter(read.document, std::move(points), read.places.empty() ? nullptr : &places).take(read.welded);
+}
+
+}  // namespace io
+
+TriangleSurface surface_of(const Document& document) {
+  return io::Cutter(document, document.points, nullptr).take(false);
+}
+
+}  // namespace tetproof

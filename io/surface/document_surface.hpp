@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface that a mesh file holds, checked and welded as surface files are.
+// The surface of a document: its faces, welded and cut into triangles, whatever the format was.
 #pragma once
 
 #include "io/document.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof::io {
 
-/// The document's triangles, as `surface_of` takes them, with equal vertices welded. Elements of other
-/// dimensions are passed over. Throws InputError, naming the element by its number in the file, if there are
-/// no triangles, if an element of two dimensions is none (a quadrangle), or if a triangle names a node that
-/// does not exist.
-TriangleSurface welded_surface(const Document& document);
+/// `surface_of(read.document)`, see io/document.hpp. The points are moved out of the document. An error names
+/// the element's line or byte in `file` where `read.places` tells it.
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file);
 
 }  // namespace tetproof::io

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points and elements as lines of text, exact, for the formats that list them so.
+// Writes points and elements as lines of text, exactly.
 #pragma once
 
 #include <string_view>
 
+#include "io/bytes/atomic_file.hpp"
 #include "io/bytes/text_output.hpp"
+#include "io/model/values.hpp"
+#include "io/surface/rows.hpp"
 #include "io/surface/surface_document.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 
@@ -18,7 +22,7 @@ inline char* put_point(char* to, const Eigen::Vector3d& point) {
   return put(put(put(put(put(to, point[0]), ' '), point[1]), ' '), point[2]);
 }
 
-/// A row of values, a blank before each number.
+/// A row of values, with a blank before each number.
 inline char* put_row(char* to, const Values& values, std::size_t row) {
   const auto each = static_cast<std::size_t>(values.components);
   for (std::size_t k = row * each; k < (row + 1) * each; ++k)
@@ -27,7 +31,7 @@ inline char* put_row(char* to, const Values& values, std::size_t row) {
   return to;
 }
 
-/// Lines of a title as comments.
+/// Writes the lines of a title as comments, which begin with `start`.
 inline void write_title(AtomicFile& file, std::string_view start, const std::string& title) {
   for (const std::string& line : title_lines(title)) {
     file.write(start);
@@ -36,13 +40,13 @@ inline void write_title(AtomicFile& file, std::string_view start, const std::str
   }
 }
 
-/// The elements that a file of points and polygons keeps, in order: their number, the number of their
-/// corners, and these.
+/// An element that a file of points and polygons keeps: its position, the number of its corners, and these.
 struct KeptElement {
   std::size_t element;
   int corners;
   const Index* nodes;
 };
+/// Calls `each` for all of them in the document's order.
 template <class Each>
 void for_each_kept(const Document& document, const Each& each) {
   for (const ElementBlock& block : document.blocks) {

@@ -34,15 +34,18 @@
 #include "io/document.hpp"
 #include "io/file_plan.hpp"
 #include "io/model/element_types.hpp"
+#include "io/reading.hpp"
 
 namespace tetproof::io {
 
 /// Reads the file and all others of its set that are there. The numbers of the nodes must count up from 0 or
-/// 1; a number that no node has is kept as such.
-Document read_tetgen(const std::string& path);
-/// The surface that a .poly or .smesh describes, by `SurfaceFaces` in io/surface/polygons.hpp; a facet of
-/// several polygons or with holes is refused.
-TriangleSurface read_tetgen_surface(const std::string& path);
+/// 1; a number that no node has is kept as such. InputError for standard input, which is one file only.
+ReadDocument read_tetgen(const InputFile& file, Wanted wanted);
+/// Reads a .poly or a .smesh, whatever its name, and the files beside it. Standard input has none beside it:
+/// InputError if its points are elsewhere. A surface wanted: with the place of each polygon, and without
+/// the supplement, which may move elements.
+ReadDocument read_poly(const InputFile& file, Wanted wanted);
+ReadDocument read_smesh(const InputFile& file, Wanted wanted);
 
 /// A mesh: .node and .ele, and each of the other files that the document has content for. All of them appear,
 /// or none. The supplement (io/supplement/supplement.hpp) goes into comments at the end of the .node.

@@ -2,14 +2,16 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
+#include "io/mesh_files.hpp"
+#include "io/reading.hpp"
 #include "io/supplement/supplement.hpp"
-#include "io/surface/polygons.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_node_order.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
@@ -35,7 +37,8 @@ class SetReader {
     if (!ele && !face && !edge)
       document_.warnings.push_back(
           fmt::format("{}.node: there is no {}.ele beside it: nodes only", set_.stem, set_.stem));
-    const std::string supplement = supplement_in_comments(set_.member(".node"), set_.stem, document_);
+    const std::string supplement =
+        supplement_in_comments(InputFile(set_.member(".node")), set_.stem, document_);
     read_node_file(set_.member(".node"), document_);
     NodeIndex index(document_);
     elements(ele.get(), face.get(), edge.get(), !has_no_element_values(supplement), index);
@@ -51,22 +54,22 @@ class SetReader {
     take_back(supplement, set_.member(".node"), document_);
   }
 
-  // As TetGen does with its switch -p.
-  void plc(std::vector<std::size_t>* places) {
-    const bool smesh = set_.ending == ".smesh";
-    if (smesh && file_exists(set_.stem + ".poly"))
+  // As TetGen does with its switch -p. `file` is the .poly or .smesh; standard input has no files beside it.
+  void plc(const InputFile& file, std::vector<std::size_t>* places) {
+    const bool smesh = set_.ending == ".smesh", named = file.is_named();
+    if (smesh && named && file_exists(set_.stem + ".poly"))
       document_.warnings.push_back(
           fmt::format("{}: there is {}.poly too, which TetGen would read instead", set_.path, set_.stem));
-    const auto named = open(set_.ending);
-    const bool points_elsewhere = read_plc(named->in, set_.stem + ".node", smesh, document_, places);
+    Records in(file, document_.warnings);
+    const bool points_elsewhere = read_plc(in, named ? set_.stem + ".node" : "", smesh, document_, places);
     NodeIndex index(document_);
-    if (const auto edge = open(".edge")) {
-      const TetgenElementFile file = read_edge_header(edge->in, 4);
-      read_elements(edge->in, file, index, document_);
+    if (const auto edge = named ? open(".edge") : nullptr) {
+      const TetgenElementFile header = read_edge_header(edge->in, 4);
+      read_elements(edge->in, header, index, document_);
     }
-    fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
-    if (!places)  // it may move elements
-      take_back(supplement_in_comments(set_.path, set_.stem, document_), set_.path, document_);
+    if (named) fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
+    if (!places)  // the supplement may move elements
+      take_back(supplement_in_comments(file, set_.stem, document_), set_.path, document_);
   }
 
  private:
@@ -125,16 +128,19 @@ class SetReader {
   TetgenElements tets_, faces_;
 };
 
-Document read_set(const TetgenPath& set, std::vector<std::size_t>* places) {
+Document start_document(const TetgenPath& set) {
   Document document;
   document.format = "tetgen";
   document.path = set.path;
-  SetReader reader(set, document);
-  if (set.is_plc())
-    reader.plc(places);
-  else
-    reader.mesh();
   return document;
+}
+
+ReadDocument read_plc_set(const InputFile& file, const char* ending, Wanted wanted) {
+  TetgenPath set = file.is_named() ? tetgen_path(file.path()) : TetgenPath{file.path(), file.path(), ""};
+  set.ending = ending;  // whatever the file is called
+  ReadDocument read{start_document(set)};
+  SetReader(set, read.document).plc(file, wanted == Wanted::surface ? &read.places : nullptr);
+  return read;
 }
 
 }  // namespace
@@ -162,30 +168,28 @@ bool file_exists(const std::string& path) {
   return ::stat(path.c_str(), &about) == 0 && !S_ISDIR(about.st_mode);
 }
 
-Document read_tetgen(const std::string& path) {
-  const TetgenPath set = tetgen_path(path);
-  if (set.ending == ".cell") throw InputError(fmt::format("{}: expected .v.cell, found .cell", path));
-  return read_set(set, nullptr);
+ReadDocument read_tetgen(const InputFile& file, Wanted) {
+  if (!file.is_named())
+    throw InputError(fmt::format(
+        "{}: TetGen's mesh is several files, of which standard input can be only one; name the .node or .ele",
+        file.path()));
+  const TetgenPath set = tetgen_path(file.path());
+  if (set.ending == ".cell") throw InputError(fmt::format("{}: expected .v.cell, found .cell", file.path()));
+  const std::vector<std::string>& endings = format_named("tetgen").endings;
+  if (std::find(endings.begin(), endings.end(), ending_of(file.path())) == endings.end())
+    throw InputError(fmt::format("{}: TetGen's files are known by their endings, expected one of {}",
+                                 file.path(), fmt::join(endings, " ")));
+  ReadDocument read{start_document(set)};
+  SetReader(set, read.document).mesh();
+  return read;
 }
 
-TriangleSurface read_tetgen_surface(const std::string& path) {
-  std::vector<std::size_t> places;
-  Document document = read_set(tetgen_path(path), &places);
-  const InputFile file(path);
-  const auto fail = [&](std::size_t element, const std::string& message) {
-    Scanner(file.path(), file.bytes(), places[element]).fail_in_line(message);
-  };
-  if (!document.facets.empty()) {
-    const Facet& facet = document.facets[0];
-    fail(facet.first,
-         fmt::format("expected facets of one polygon without holes, found one of {} polygons and "
-                     "{} holes; cut it into triangles",
-                     facet.polygons, facet.holes.size()));
-  }
-  for (const ElementBlock& block : document.blocks)
-    if (block.of_boundary && block.dim < 2)
-      fail(block.first, fmt::format("face has {} corners, expected at least 3", block.nodes_each));
-  return surface_of_faces(file, {std::move(document), std::move(places)});
+ReadDocument read_poly(const InputFile& file, Wanted wanted) {
+  return read_plc_set(file, ".poly", wanted);
+}
+
+ReadDocument read_smesh(const InputFile& file, Wanted wanted) {
+  return read_plc_set(file, ".smesh", wanted);
 }
 
 }  // namespace tetproof::io

@@ -60,8 +60,8 @@ void read_bounds(Records&, NodeIndex&, Document&);
 /// The files `stem`.v.node, .v.edge, .v.face and .v.cell.
 void read_voronoi(const std::string& stem, Document&);
 
-/// A .poly or a .smesh; whether its points are in the .node. `places`: the byte where each polygon stands, if
-/// asked for.
+/// Reads a .poly or a .smesh; returns whether its points are in the .node at `node_path` (empty: there can be
+/// none). `places`, if not null, gets the byte where each polygon starts.
 bool read_plc(Records&, const std::string& node_path, bool smesh, Document&,
               std::vector<std::size_t>* places = nullptr);
 

@@ -14,7 +14,8 @@
 namespace tetproof::corpus {
 namespace {
 
-std::string error_of(const std::string& spec, TriangleSurface (*make)(const std::string&) = make_surface) {
+template <class Make = TriangleSurface (*)(const std::string&)>
+std::string error_of(const std::string& spec, const Make& make = make_surface) {
   try {
     make(spec);
   } catch (const InputError& error) {
@@ -105,16 +106,18 @@ TEST(Spec, EveryGeneratorIsListedWithAllItsKeysAndWorksByItself) {
   }
 }
 
+const auto opened = [](const std::string& spec) { return open_surface(spec); };
+
 TEST(OpenSurface, GeneratedOrFromAFile) {
   EXPECT_EQ(open_surface("sphere:n=8").triangles.size(), 8u);
   const std::string folder = TETPROOF_SOURCE_DIR "/corpus/surfaces/";
   EXPECT_EQ(open_surface(folder + "spot.obj").triangles.size(), 5856u);
   EXPECT_EQ(open_surface(folder + "unit_sphere.STL").vertices.size(), 642u);
-  EXPECT_EQ(error_of("shpere", open_surface),
+  EXPECT_EQ(error_of("shpere", opened),
             "shpere: no such file, and no such generated surface (known: sphere, torus, wing, random, "
             "shells, octahedron, box, groove, "
             "terrain, hollow, bottle, pair)");
-  EXPECT_EQ(error_of("/no/such.off", open_surface), "/no/such.off: cannot open: No such file or directory");
+  EXPECT_EQ(error_of("/no/such.off", opened), "/no/such.off: cannot open: No such file or directory");
 }
 
 // A .msh of two triangles that share an edge, the second with copies of the first's nodes.
@@ -131,7 +134,7 @@ TEST(OpenSurface, TrianglesOfAMeshFileAreWelded) {
   EXPECT_EQ(surface.vertices.size(), 4u);
   EXPECT_EQ(surface.triangles, (std::vector<std::array<Index, 3>>{{0, 1, 2}, {1, 3, 2}}));
   write("1\n1 15 2 1 1 1\n");
-  EXPECT_EQ(error_of(path.string(), open_surface), path.string() + ": expected triangles, found none");
+  EXPECT_EQ(error_of(path.string(), opened), path.string() + ": expected a surface, found no triangles or polygons");
   std::filesystem::remove(path);
 }
 

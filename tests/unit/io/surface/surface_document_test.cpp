@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What surface files say beside points and triangles: read as it stands, written so that it comes back.
+// Everything in surface files beside points and triangles: read as it is, listed where it is dropped, and
+// written so that it comes back.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -66,6 +67,7 @@ struct Case {
   std::string name, file, bytes, told;
   std::vector<std::string> warnings{};  // without the folder
   bool binary = false;                  // how it is written again
+  std::vector<std::string> dropped{};   // "count item (example)"
 
   friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
 };
@@ -76,13 +78,25 @@ const std::string other_facet =
     "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
 
 // One facet with this header and attribute, and a normal along z.
-std::string binary_stl(std::string bytes, std::uint16_t attribute) {
+std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_z = 1) {
   bytes.resize(84 + 50);
   bytes[80] = 1;
-  const float numbers[12]{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const float numbers[12]{0, 0, normal_z, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   std::memcpy(bytes.data() + 84, numbers, 48);
   std::memcpy(bytes.data() + 132, &attribute, 2);
   return bytes;
+}
+
+// Numbers of binary OFF, the most significant byte first.
+std::string binary_off(std::string bytes, const std::vector<std::uint32_t>& integers) {
+  for (const std::uint32_t integer : integers)
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(integer >> shift & 255);
+  return bytes;
+}
+std::string floats(const std::vector<float>& numbers) {
+  std::vector<std::uint32_t> bits(numbers.size());
+  std::memcpy(bits.data(), numbers.data(), 4 * numbers.size());
+  return binary_off("", bits);
 }
 
 const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -112,8 +126,35 @@ const std::vector<Case> cases{
      "a.stl",
      "solid\nfacet normal 0 0 -2" + facet.substr(18),
      "e2: 1 2 3\n",
-     {"a.stl: the normals of 1 facets point against the order of their corners (first: line 2); they are not "
-      "kept"}},
+     {},
+     false,
+     {"1 normals that point against the order of the corners (line 2)"}},
+    {"StlBinaryAgainstItsNormal",
+     "a.stl",
+     binary_stl("", 0, -1),
+     "e2: 1 2 3\n",
+     {},
+     true,
+     {"1 normals that point against the order of the corners (byte 84)"}},
+    {"StlTrailingBytes",
+     "a.stl",
+     binary_stl("", 0) + "xy",
+     "e2: 1 2 3\n",
+     {},
+     true,
+     {"2 bytes behind the last facet (byte 134)"}},
+    {"StlEndsInTwoWords",
+     "a.stl",
+     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nEND Loop\nend "
+     "facet\n"
+     "end solid s\n",
+     "group 2 1 s\ne2 g1: 1 2 3\n",
+     {"a.stl: line 7: `end` stands apart from `loop`, `facet` or `solid` 3 times (the first such)"}},
+    {"StlZeroBytes",
+     "a.stl",
+     "solid\n" + facet + "endsolid\n" + std::string(100, '\0'),
+     "e2: 1 2 3\n",
+     {"a.stl: byte 109: 100 zero bytes at the end are passed over"}},
 
     {"OffPolygons", "a.off",
      "OFF\n# a title\n#  of two lines\n5 4 0\n" + square + "2 .5 0\n3 0 1 2\n4 0 1 2 3\n5 0 1 4 2 3\n2 0 1\n",
@@ -135,8 +176,30 @@ const std::vector<Case> cases{
      "a.off",
      "OFF 3 1 0\n0 0 0 1\n1 0 0\n0 1 0\n3 0 1 2 5 5\n",
      "e2: 0 1 2\n",
-     {"a.off: 1 vertices are followed by as many numbers as OFF gives no meaning to; they are not read",
-      "a.off: 1 faces are followed by as many numbers as OFF gives no meaning to; they are not read"}},
+     {},
+     false,
+     {"1 numbers behind vertices to which OFF gives no meaning (line 2: 0 0 0 1)",
+      "1 numbers behind faces to which OFF gives no meaning (line 5: 3 0 1 2 5 5)"}},
+    {"OffFacesOverLines",
+     "a.off",
+     "OFF 4 2 0\n" + square + "3 0 1\n2\n4\n0 1\n2 3\n",
+     "e2: 0 1 2\ne3: 0 1 2 3\n",
+     {"a.off:6: a face goes on in the next line (the first such)"}},
+    {"OffZeroBytes",
+     "a.off",
+     "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" + std::string(3, '\0'),
+     "e2: 0 1 2\n",
+     {"a.off: byte 36: 3 zero bytes at the end are passed over"}},
+    {"OffBinary",
+     "a.off",
+     binary_off("STCNOFF BINARY\n", {3, 2, 0}) + floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, .5}) +
+         floats({1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 1, 0}) + floats({0, 1, 0, 1, 0, 0, 0, 0, 1, .25, 1, 1}) +
+         binary_off("", {3, 0, 1, 2, 3}) + floats({1, .5, 0}) + binary_off("", {2, 0, 1, 0}) + "xyz",
+     "e2: 0 1 2\ne1: 0 1\nnode normal x3: 0 0 1 0 1 0 1 0 0\nnode color x4: 1 0 0 1 0 1 0 1 0 0 1 0.25\n"
+     "node texture x2: 0 0.5 1 0 1 1\nelement color x3: 1 0.5 0 at 0\n",
+     {},
+     false,
+     {"3 bytes behind the last face (byte 212)"}},
 
     {"ObjGroups", "a.obj",
      "# made by hand\n#\nmtllib a.mtl b.mtl\n" + obj_square +
@@ -160,15 +223,44 @@ const std::vector<Case> cases{
      "e2: 1 2 3\nnode weight x1: 0.5 at 2\nnode color x3: 0.1 0 1 at 0\n"},
     {"ObjFreeForm",
      "a.obj",
-     obj_square + "vp 0 1\nvp 1 1\ncurv 0 1 1 2\nf 1 2 3 4\n",
+     obj_square + "vp 0 1\nvp 1 1\ncurv 0 1 1 2\nf 1 2 3 4\nsurf 0 1 0 1 1 2 3 4\n",
      "e3: 1 2 3 4\n",
-     {"a.obj: 1 statements `curv` are not read", "a.obj: 2 statements `vp` are not read"}},
+     {},
+     false,
+     {"2 statements `vp` (line 5: vp 0 1)", "1 statements `curv` (line 7: curv 0 1 1 2)",
+      "1 statements `surf` (line 9: surf 0 1 0 1 1 2 3 4)"}},
+    {"ObjUnknownStatements",
+     "a.obj",
+     "t 0 1\n" + obj_square + "vw 0 1 \\\n 0.5\nf 1 2 3\n",
+     "e2: 1 2 3\n",
+     {},
+     false,
+     {"2 statements that OBJ does not have (line 1: t 0 1)"}},
+    {"ObjOddNumbers",
+     "a.obj",
+     "v 0 0 0 1 2\nv 1 0 0\nv 0 1 0\nvt 0 0\ns first\nf 1 2 3\nl 1/1 2/1\n",
+     "e2: 1 2 3\ne1: 1 2\n",
+     {},
+     false,
+     {"1 numbers behind x y z of vertices, neither a weight nor a colour (line 1: v 0 0 0 1 2)",
+      "1 smoothing groups that are neither a number nor off (line 5: s first)",
+      "1 texture coordinates and normals of lines and points (line 7: l 1/1 2/1)",
+      "1 texture coordinates (`vt`) that no face uses (`vt` number 1)"}},
+    {"ObjZeroBytes",
+     "a.obj",
+     obj_square + "f 1 2 3" + std::string(1, '\0'),
+     "e2: 1 2 3\n",
+     {"a.obj: byte 39: 1 zero bytes at the end are passed over"}},
     {"ObjBadCorners",
      "a.obj",
      obj_square + "vt 0 0\nvt 1 1\nf 1/1 2/7 3/1\nf 1/1 2 3/1\n",
      "e2: 1 2 3\ne2: 1 2 3\n",
-     {"a.obj: 2 faces name texture coordinates that do not exist, or not at every corner",
-      "a.obj: 2 texture coordinates (`vt`) that no face uses are not kept"}},
+     {},
+     false,
+     {"2 texture coordinates of faces that name some that do not exist, or not at every corner (line 7: f "
+      "1/1 2/7 "
+      "3/1)",
+      "2 texture coordinates (`vt`) that no face uses (`vt` number 1)"}},
 
     {"PlyValues", "a.ply",
      ply_start + "comment by hand\nobj_info from nowhere\nelement vertex 3\n" + ply_xyz +
@@ -196,6 +288,14 @@ const std::vector<Case> cases{
          "property uchar markers\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
          "property uchar %6Darkers\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n0 1 6\n1 2 7\n",
      "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement markers x1 i: 5\nelement markers x1 i: 6 7 from 1\n"},
+    {"PlyStrips",
+     "a.ply",
+     ply_start + "element vertex 4\n" + ply_xyz + "element tristrips 1\n" + ply_list +
+         "property float heat\nend_header\n" + square + "5 0 1 3 2 -1 0.5\n",
+     "e2: 0 1 3\ne2: 3 1 2\n",
+     {},
+     false,
+     {"1 properties of tristrips (heat)"}},
     {"PlyPoints", "a.ply",
      ply_start + "element vertex 2\n" + ply_xyz +
          "property uchar confidence\nend_header\n0 0 0 1\n1 0 0 200\n",
@@ -213,6 +313,10 @@ TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
   for (const std::string& warning : document.warnings)
     warnings.push_back(warning.substr(files.path("").size()));
   EXPECT_EQ(warnings, given.warnings);
+  std::vector<std::string> dropped;
+  for (const Loss& loss : document.dropped)
+    dropped.push_back(fmt::format("{} {} ({})", loss.count, loss.item, loss.example));
+  EXPECT_EQ(dropped, given.dropped);
 
   // Into its own format: the same, but for elements without their nodes.
   if (!document.unknown.empty()) return;
@@ -361,7 +465,7 @@ for name in ('a.stl', 'b.stl', 'a.obj', 'a.ply', 'b.ply', 'a.off'):
           "a.ply 4 [('triangle', 2)] 4.5\nb.ply 4 [('triangle', 2)] 4.5\na.off 4 [('triangle', 2)] 4.5\n");
 }
 
-// Every sample: what is read comes back from its own format but for what the list of losses says.
+// Every sample that is read comes back from its own format.
 TEST(SurfaceDocuments, SamplesComeBack) {
   const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared";
   if (!std::filesystem::exists(shared / "formats"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the surface formats' grammars do not permit: the whole text of each message.
+// Files that the grammars of the surface formats do not permit: the whole text of each message.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -25,7 +25,9 @@ struct Case {
 const std::string all_endings =
     ".msh .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh "
     ".meshb "
-    ".stl .off .obj .ply";
+    ".stl .off .obj .ply; through Gmsh .geo .geo_unrolled .step .stp .iges .igs .brep .brp .unv .bdf .nas "
+    ".dat "
+    ".diff .p3d .ply2 .wrl .pos .med .cgns .sat .x_t";
 const std::string stl_start = "solid x\nfacet normal 0 0 1\nouter loop\n";
 const std::string stl_vertices = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
 const std::string off_points = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
@@ -43,6 +45,13 @@ std::string binary_stl(char count, std::size_t size) {
   std::string bytes(size, '\0');
   bytes.replace(0, 7, "solid x");
   bytes[80] = count;
+  return bytes;
+}
+
+// Binary OFF with these integers behind its keyword.
+std::string binary_off(std::initializer_list<unsigned char> integers) {
+  std::string bytes = "OFF BINARY\n";
+  for (const unsigned char integer : integers) bytes.append(3, '\0').append(1, static_cast<char>(integer));
   return bytes;
 }
 
@@ -84,7 +93,16 @@ const std::vector<Case> cases{
     {"OffFour", "a.off", "4OFF\n1 0 0\n0 0 0 0\n",
      "a.off:1: expected three coordinates a vertex, found 4OFF"},
     {"OffMany", "a.off", "STnOFF\n5\n", "a.off:1: expected three coordinates a vertex, found STnOFF"},
-    {"OffBinary", "a.off", "OFF BINARY\n", "a.off:1: expected OFF as text, found binary OFF"},
+    {"OffBinaryNothing", "a.off", "OFF BINARY\n",
+     "a.off: byte 11: expected the number of vertices (4 bytes), found 0 bytes and the end of the file"},
+    {"OffBinaryHuge", "a.off", std::string("OFF BINARY\n\x7f\0\0\0\0\0\0\0", 19),
+     "a.off: byte 11: expected the number of vertices, found 2130706432, which the 4 bytes left cannot hold"},
+    {"OffBinaryVertexTooLarge", "a.off", binary_off({0, 1, 0, 3, 0, 1, 2, 0}),
+     "a.off: byte 23: face names vertex 0, but there are no vertices"},
+    {"OffBinaryCut", "a.off", binary_off({0, 1, 0, 1, 0}),
+     "a.off: byte 31: expected the number of a colour's components (4 bytes), found 0 bytes and the end of "
+     "the "
+     "file"},
     {"OffNoCounts", "a.off", "OFF\n", "a.off:2: expected the number of vertices, found the end of the file"},
     {"OffBadCount", "a.off", "OFF 4.5 1 0\n", "a.off:1: expected the number of vertices, found '4.5'"},
     {"OffNegativeCount", "a.off", "OFF -4 1 0\n", "a.off:1: expected the number of vertices, found -4"},
@@ -132,10 +150,10 @@ const std::vector<Case> cases{
     {"OffCr", "a.off", "OFF\r4 1 0\r0 0 0\r1 0 0\rx", "a.off:5: expected a coordinate, found 'x'"},
     {"OffCrLf", "a.off", "OFF\r\n4 1 0\r\n0 0 0\r\n1 0 0\r\nx", "a.off:5: expected a coordinate, found 'x'"},
 
-    {"ObjUnknown", "a.obj", obj_points + "w 0 0 0\n",
-     "a.obj:5: expected a statement of OBJ (v, f, ...), found 'w'"},
-    {"ObjFreeForm", "a.obj", obj_points + "surf 0 1 0 1 1 2 3 4\n",
-     "a.obj:5: expected a statement of OBJ (v, f, ...), found 'surf'"},
+    {"ObjNothingKnown", "a.obj", "# x\nw 0 0 0\nx\n",
+     "a.obj:2: expected a statement of OBJ (v, f, ...), found 'w'"},
+    {"ObjFreeFormAlone", "a.obj", obj_points + "surf 0 1 0 1 1 2 3 4\n",
+     "a.obj: expected a surface, found no triangles or polygons"},
     {"ObjBadCoordinate", "a.obj", "v 0 0 o\n", "a.obj:1: expected a coordinate, found 'o'"},
     {"ObjShortVertex", "a.obj", "\nv 0 0\nv 1 1 1\n", "a.obj:2: expected 3 coordinates, found fewer"},
     {"ObjJunkAfterVertex", "a.obj", "v 0 0 0 red\n",
@@ -229,9 +247,18 @@ const std::vector<Case> cases{
     {"PlyBinaryLong", "a.ply", ply_binary + std::string("\0\0\0\1\0\0\0\1\0\3\0\1\2xy", 15),
      "a.ply: byte 179: expected the end of the file after 1 of element 'face', found 2 more bytes"},
 
-    {"UnknownEnding", "a.surf", "v 0 0 0\n",
-     "a.surf: unknown ending '.surf', expected a surface as one of " + all_endings},
-    {"NoEnding", "surface", "", "surface: no ending, expected a surface as one of " + all_endings},
+    {"StlNoFacets", "a.stl", "solid\nendsolid\n",
+     "a.stl: expected a surface, found no triangles or polygons"},
+    {"OffNoFaces", "a.off", "OFF 1 0 0\n0 0 0\n",
+     "a.off: expected a surface, found no triangles or polygons"},
+    {"PlyNoFaces", "a.ply",
+     ply_start + "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                 "element face 0\nproperty list uchar uint vertex_indices\nend_header\n",
+     "a.ply: expected a surface, found no triangles or polygons"},
+    {"UnknownEnding", "a.surf", "nothing\n",
+     "a.surf: unknown ending, and the content tells no format; expected one of " + all_endings},
+    {"NoEnding", "surface", "",
+     "surface: no ending, and the content tells no format; expected one of " + all_endings},
 };
 
 class SurfaceErrors : public testing::TestWithParam<Case> {};

@@ -369,13 +369,15 @@ std::vector<Case> ply_cases() {
       {"BinaryAfterCrLf", "a.ply", with_line_ends(lf_header, "\r\n") + lf.text, lf_points, one_triangle},
       {"BinaryAfterCr", "a.ply", with_line_ends(lf_header, "\r") + lf.text, lf_points, one_triangle},
       {"BinaryUnknownEverything", "a.ply", rich_header + rich.text, tet_points, tet_triangles},
-      {"Empty",
+      {"Strips",
        "a.ply",
-       "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
-       "z\nelement face 0\n"
-       "property list uchar uint vertex_indices\nend_header\n",
-       {},
-       {}},
+       "ply\nformat ascii 1.0\nelement tristrips 2\nproperty list int int vertex_indices\nproperty int id\n"
+       "element vertex 4\nproperty int x\nproperty int y\nproperty int z\nend_header\n"
+       "9 0 1 2 3 -1 0 2 3 1 7\n6 1 1 0 3 3 2 8\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n",
+       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}},
+       // 0 1 2, 2 1 3; 0 2 3, 3 2 1; 1 1 0, 0 1 3, 0 3 3 and 3 3 2 in turn: two with equal corners on each
+       // side.
+       {{0, 1, 2}, {2, 1, 3}, {0, 2, 3}, {3, 2, 1}, {0, 1, 3}}},
       {"ByContent", "a.xyz", text, tet_points, tet_triangles},
   };
   return cases;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "io/content/content.hpp"
+#include "io/error.hpp"
+#include "io/gmsh/gmsh_import.hpp"
+
+namespace tetproof::io {
+namespace {
+
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+// The format that the ending of a name stands for; empty: none, or one that Gmsh reads.
+std::string format_of_ending(const std::string& ending) {
+  for (const Format& format : formats())
+    if (contains(format.endings, ending)) return format.name;
+  return {};
+}
+
+[[noreturn]] void refuse_unknown(const InputFile& file, const std::string& ending) {
+  const std::string name = !file.is_named() ? ""
+                           : ending.empty() ? "no ending, and "
+                                            : "unknown ending, and ";
+  throw InputError(
+      fmt::format("{}: {}the content tells no format; expected one of {}{}", file.path(), name,
+                  fmt::join(known_endings(), " "),
+                  file.is_named() ? fmt::format("; through Gmsh {}", fmt::join(gmsh_endings(), " ")) : ""));
+}
+
+}  // namespace
+
+InputFile open_input(const std::string& path) {
+  return path == "-" ? InputFile::standard_input() : InputFile(path);
+}
+
+ReadDocument read_file(const InputFile& file, const ReadOptions& options, Wanted wanted) {
+  if (!options.format.empty()) return read_as(format_named(options.format).name, file, wanted);
+  const std::string ending = file.is_named() ? ending_of(file.path()) : "";
+  const std::string by_ending = format_of_ending(ending);
+  const bool through_gmsh = contains(gmsh_endings(), ending);
+  if (const std::optional<Content> content = own_content(file.bytes())) {
+    ReadDocument read = read_as(content->format, file, wanted);
+    const bool agrees = contains(format_named(content->format).endings, ending);
+    if (!agrees && (!by_ending.empty() || through_gmsh))
+      read.document.warnings.insert(read.document.warnings.begin(),
+                                    fmt::format("{}: {} by its content, though its name ends in {}",
+                                                file.path(), content->what, ending));
+    return read;
+  }
+  if (through_gmsh) return {read_through_gmsh(file.path())};
+  if (const std::optional<Content> content = foreign_content(file.bytes(), ending))
+    throw InputError(
+        fmt::format("{}: {}, which is not read; {}", file.path(), content->what, content->advice));
+  if (by_ending.empty()) refuse_unknown(file, ending);
+  return read_as(by_ending, file, wanted);
+}
+
+}  // namespace tetproof::io
