@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/msh/msh22_elements.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/msh/msh22_limits.hpp"
 
 namespace tetproof::io {
@@ -22,11 +25,28 @@ void Elements22::set_tags(std::span<const std::int64_t> tags) {
   group_ = count > 0 ? tags_[0] : 0;
   entity_ = count > 1 ? tags_[1] : 0;
   partitions_ = 0;
+  std::int64_t meant = std::min<std::int64_t>(count, 3);
   if (count > 2 && kind_ != ElementTags::v22) partitions_ = sets_({tags_[2]});
   if (count > 3 && kind_ == ElementTags::v22) {
     const auto named = tags_.begin() + 3;
-    partitions_ = sets_({named, named + std::clamp<std::int64_t>(tags_[2], 0, count - 3)});
+    const std::int64_t partitions = std::clamp<std::int64_t>(tags_[2], 0, count - 3);
+    partitions_ = sets_({named, named + partitions});
+    meant += partitions;
   }
+  // A third tag announces partitions. Without any behind it, it says nothing that is kept.
+  if (count == 3 && kind_ == ElementTags::v22 && tags_[2] != 0) --meant;
+  spare_each_ = static_cast<std::size_t>(count - meant);
+}
+
+void Elements22::count_spare_tags(std::int64_t first, std::size_t elements) {
+  if (spare_each_ == 0 || elements == 0) return;
+  if (spare_count_ == 0) first_spare_ = first;
+  spare_count_ += spare_each_ * elements;
+}
+
+void Elements22::list_dropped() {
+  add_loss(document_.dropped, "tags of elements without a meaning", spare_count_,
+           fmt::format("element {}", first_spare_));
 }
 
 void Elements22::set_entity(std::int64_t entity, const std::vector<std::int64_t>& partitions) {
@@ -34,13 +54,14 @@ void Elements22::set_entity(std::int64_t entity, const std::vector<std::int64_t>
   partitions_ = sets_(partitions);
 }
 
-// An element in several physical groups stands once for each of them: the last one again, but for its group
-// and its tag. So an element waits until the next one has been read. One with another number of tags is no
-// such copy: our writer has no other way to tell the two apart.
+// An element in several physical groups stands in the file once for each of them. Its copies follow it, and
+// differ only in group and tag. So an element waits until the next one has been read. One with another number
+// of tags is no such copy: our writer has no other way to tell the two apart.
 void Elements22::add(std::int64_t tag, std::span<const Index> nodes) {
+  count_spare_tags(tag, 1);
   if (repeats_waiting(nodes)) {
     waiting_.groups.push_back(group_);
-    copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where the first one will be
+    copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // the place of the first one
     return;
   }
   finish();
@@ -52,7 +73,8 @@ void Elements22::add(std::int64_t tag, std::span<const Index> nodes) {
   waiting_.nodes.assign(nodes.begin(), nodes.end());
 }
 
-// All but the first and the last one at once, if none repeats the one before it.
+// Adds all elements of a run at once, if none repeats the one before it. The first and the last element of
+// the piece are added one by one, since a neighbouring piece may have their copies.
 void Elements22::add(const PlainElements22& piece, std::size_t left) {
   const std::size_t count = piece.tags.size();
   std::vector<Index>& all = document_.connectivity;
@@ -75,6 +97,7 @@ void Elements22::add(const PlainElements22& piece, std::size_t left) {
       }
       finish();
       const std::size_t here = std::min(end, count - 1) - e;
+      count_spare_tags(piece.tags[e], here);
       ElementBlock& block = block_of({.type = run.type->type,
                                       .dim = dimension22(run.type->type),
                                       .entity = entity_,
@@ -102,7 +125,8 @@ void Elements22::finish() {
 }
 
 Elements22::Mark Elements22::mark() const {
-  return {document_.blocks, document_.elements(), document_.connectivity.size(), copies_.size(), waiting_};
+  return {document_.blocks, document_.elements(), document_.connectivity.size(), copies_.size(),
+          waiting_,         spare_count_};
 }
 
 void Elements22::back_to(const Mark& mark) {
@@ -111,6 +135,7 @@ void Elements22::back_to(const Mark& mark) {
   element_tags_.cut(mark.elements);
   copies_.resize(mark.copies);
   waiting_ = mark.waiting;
+  spare_count_ = mark.spare_count;
 }
 
 bool Elements22::repeats_waiting(std::span<const Index> nodes) const {
@@ -121,7 +146,7 @@ bool Elements22::repeats_waiting(std::span<const Index> nodes) const {
          std::find(waiting_.groups.begin(), waiting_.groups.end(), group_) == waiting_.groups.end();
 }
 
-// The last block if it is like this one, or else a new one.
+// The last block if it is like this one, otherwise a new one.
 ElementBlock& Elements22::block_of(ElementBlock like) {
   std::vector<ElementBlock>& blocks = document_.blocks;
   if (blocks.empty() || blocks.back().type != like.type || blocks.back().nodes_each != like.nodes_each ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of .msh 1 to 3 as they join a document: like ones after each other are a block, and an element in
-// several physical groups, which stands once for each of them, becomes one.
+// Adds the elements of .msh 1 to 3 to a document. Consecutive elements that are alike become a block. An
+// element in several physical groups stands in the file once for each of them, and becomes one.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,23 @@ namespace tetproof::io {
 
 class Elements22 {
  public:
-  /// `copies` gets the tags of elements' further appearances.
+  /// `copies` gets the tags of the further appearances of elements.
   Elements22(ElementTags kind, Document& document, TagSets& sets, std::vector<ElementTag>& copies);
 
-  // What the elements to come are, until something else is said.
+  // The type and tags of all elements that are added until the next call.
   void set_type(std::int64_t number) { number_ = number; }
   /// Physical, elementary, partitions.
   void set_tags(std::span<const std::int64_t> tags);
-  /// Version 3 tells these instead.
+  /// What version 3 has instead of tags.
   void set_entity(std::int64_t entity, const std::vector<std::int64_t>& partitions);
 
   void add(std::int64_t tag, std::span<const Index> nodes);
-  /// `left`: how many elements there are from these on.
+  /// `left`: the number of elements that are left in the file, these included.
   void add(const PlainElements22& elements, std::size_t left);
-  /// After the last one.
+  /// Must be called after the last element.
   void finish();
+  /// Lists the tags that have no meaning, behind those that have one.
+  void list_dropped();
 
  private:
   struct Waiting {
@@ -42,16 +44,18 @@ class Elements22 {
   };
 
  public:
-  /// How far it has come, to be taken back to.
+  /// A state to which `back_to` returns.
   struct Mark {
     std::vector<ElementBlock> blocks;
     std::size_t elements, nodes, copies;
     Waiting waiting;
+    std::size_t spare_count;
   };
   Mark mark() const;
   void back_to(const Mark& mark);
 
  private:
+  void count_spare_tags(std::int64_t first, std::size_t elements);
   bool repeats_waiting(std::span<const Index> nodes) const;
   ElementBlock& block_of(ElementBlock like);
 
@@ -64,6 +68,9 @@ class Elements22 {
   std::int64_t number_ = -1, group_ = 0, entity_ = 0;
   std::int32_t partitions_ = 0;
   std::vector<std::int64_t> tags_;  // those last set
+  std::size_t spare_each_ = 0;      // of them without a meaning
+  std::size_t spare_count_ = 0;     // of all elements
+  std::int64_t first_spare_ = 0;    // the tag of the first element that has any
   Waiting waiting_;
 };
 
