@@ -45,7 +45,7 @@ std::string supplement_in_comments(const std::string& file, const std::string& s
 /// Whether values of elements in the native part are only for other programs, since the document has none.
 bool has_no_element_values(std::string_view lines);
 
-/// The warning for a file that was changed after its supplement was written.
-std::string outdated_supplement(const std::string& path);
+/// Warns of a file that was changed after its supplement was written, and lists the supplement as dropped.
+void drop_outdated_supplement(const std::string& path, Document& native);
 
 }  // namespace tetproof::io

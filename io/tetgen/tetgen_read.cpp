@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the files of a set of TetGen's.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -7,6 +8,7 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/surface/polygons.hpp"
 #include "io/tetgen/tetgen.hpp"
@@ -17,11 +19,11 @@
 namespace tetproof::io {
 namespace {
 
-// A member of the set that is there, with its records.
+// A file of the set that exists, with its records.
 struct Member {
   InputFile file;
   Records in;
-  Member(const std::string& path, Document& document) : file(path), in(file, document.warnings) {}
+  Member(const std::string& path, Document& document) : file(path), in(file, document) {}
 };
 
 class SetReader {
@@ -50,7 +52,7 @@ class SetReader {
     take_back(supplement, set_.member(".node"), document_);
   }
 
-  // As TetGen does with its switch -p.
+  // Reads what TetGen reads with its switch -p.
   void plc(std::vector<std::size_t>* places) {
     const bool smesh = set_.ending == ".smesh";
     if (smesh && file_exists(set_.stem + ".poly"))
@@ -64,7 +66,7 @@ class SetReader {
       read_elements(edge->in, file, index, document_);
     }
     fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
-    if (!places)  // it may move elements
+    if (!places)  // a supplement may move elements
       take_back(supplement_in_comments(set_.path, set_.stem, document_), set_.path, document_);
   }
 
@@ -75,7 +77,7 @@ class SetReader {
     return std::make_unique<Member>(path, document_);
   }
 
-  // All headers first: they tell how much room is needed.
+  // Reads all headers first: they say how much room is needed.
   void elements(Member* ele, Member* face, Member* edge, bool with_values, NodeIndex& index) {
     std::optional<TetgenElementFile> ele_file, face_file, edge_file;
     if (ele) ele_file = read_ele_header(ele->in);
@@ -104,13 +106,14 @@ class SetReader {
       read_element_integers(member->in, of, many, name, each, has_header, document_);
   }
 
-  // Whether the file is there that another one speaks of.
+  // Whether the file exists whose elements another one describes.
   bool has(const TetgenElements& of, const std::string& ending, const char* needed) const {
     if (of.nodes_each > 0) return true;
     const std::string message = fmt::format("{}: there is no {}{} beside it, without which it means nothing",
                                             set_.member(ending), set_.stem, needed);
     if (ending == set_.ending) throw InputError(message);
     document_.warnings.push_back(message);
+    add_loss(document_.dropped, "files of the set that are not read", 1, set_.member(ending));
     return false;
   }
 
