@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Starts a process, takes what it says, and ends it when its time is over.
 #include "io/gmsh/gmsh_import_process.hpp"
 
 #include <fcntl.h>
@@ -31,7 +32,7 @@ struct Descriptor {
   }
 };
 
-// What a spawned process begins with.
+// The descriptors and settings with which a process begins.
 struct Start {
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;
@@ -41,7 +42,7 @@ struct Start {
     sigset_t none, all;
     ::sigemptyset(&none);
     ::sigfillset(&all);
-    // The shared file last: until then its number is above 3, see run_process.
+    // The shared file comes last. Until then its number is above 3, see run_process.
     if (::posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) ||
         ::posix_spawn_file_actions_adddup2(&files, output, 1) ||
         ::posix_spawn_file_actions_adddup2(&files, output, 2) ||
@@ -59,7 +60,7 @@ struct Start {
   }
 };
 
-// Takes what is in the pipe, never waiting for more; false at its end.
+// Takes what is in the pipe and does not wait for more. False at its end.
 bool drain(int pipe, std::string& said) {
   constexpr std::size_t most = std::size_t{1} << 20;
   char buffer[1 << 14];
@@ -97,7 +98,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, int shared,
   {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) fail("pipe");
-    // Above 3, so that putting one in its place cannot overwrite another.
+    // Numbers above 3: then a descriptor that is put in its place cannot overwrite another one.
     in.number = ends[0];
     const int copy = ::fcntl(ends[1], F_DUPFD_CLOEXEC, 10), reason = errno;
     ::close(ends[1]);
@@ -119,8 +120,8 @@ ProcessEnd run_process(const std::vector<std::string>& command, int shared,
   }
   out.close();
 
-  // The pipe's end tells at once that the process ended, unless something that it started keeps it open:
-  // therefore a look at the process itself every now and then.
+  // The pipe's end shows at once that the process ended. But something that the process started may keep the
+  // pipe open, so the process itself is checked too, every 50 ms.
   ProcessEnd end;
   int status = 0;
   for (bool open = true;;) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Starts tetproof-gmsh-import, and reads what it wrote and said.
 #include "io/gmsh/gmsh_import.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import_process.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/mesh_files.hpp"
 #include "io/msh/msh.hpp"
 
@@ -24,7 +26,7 @@ namespace {
 
 constexpr const char* helper_name = "tetproof-gmsh-import";
 
-// Gmsh takes a file whose ending it does not know for a script, and .Step or .BREP it does not know.
+// Gmsh reads a file with an unknown ending as a script, and does not know .Step or .BREP.
 void check_case(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string(), lower = ending_of(path);
   const bool has_lower =
@@ -62,9 +64,9 @@ std::chrono::milliseconds allowed_time() {
   return std::chrono::milliseconds(std::llround(std::ceil(1e3 * seconds)));
 }
 
-// What Gmsh and the helper said, line by line, by its kind.
+// The lines that Gmsh and the helper program said, by kind.
 struct Talk {
-  std::vector<std::string> errors, warnings;
+  std::vector<std::string> errors, warnings, dropped;
 
   explicit Talk(const std::string& said) {
     for (std::size_t at = 0; at < said.size();) {
@@ -73,6 +75,7 @@ struct Talk {
       at = end + 1;
       take("Error   : ", line, errors);
       take("Warning : ", line, warnings);
+      take("Dropped : ", line, dropped);
     }
   }
   static void take(std::string_view kind, const std::string& line, std::vector<std::string>& all) {
@@ -80,13 +83,24 @@ struct Talk {
   }
 };
 
-// A script, or a file with thousands of bad elements, can warn without end.
+// Scripts, and files with thousands of bad elements, can cause warnings without end.
 void tell_warnings(const std::string& path, const std::vector<std::string>& said, Document& document) {
   constexpr std::size_t most = 20;
   for (std::size_t i = 0; i < said.size() && i < most; ++i)
     document.warnings.push_back(fmt::format("{}: Gmsh: {}", path, said[i]));
   if (said.size() > most)
     document.warnings.push_back(fmt::format("{}: Gmsh: {} more warnings", path, said.size() - most));
+}
+
+// The helper's lines are "COUNT, ITEM, EXAMPLE". Others are Gmsh's own, if any begin like that.
+void list_dropped(const std::vector<std::string>& said, Document& document) {
+  for (const std::string& line : said) {
+    const std::size_t item = line.find(", "), example = line.find(", ", item + 1);
+    std::int64_t count = 0;
+    if (example != std::string::npos && parse_integer(line.substr(0, item), count) && count > 0)
+      add_loss(document.dropped, line.substr(item + 2, example - item - 2), static_cast<std::size_t>(count),
+               line.substr(example + 2));
+  }
 }
 
 }  // namespace
@@ -99,7 +113,7 @@ const std::vector<std::string>& gmsh_endings() {
 }
 
 Document read_through_gmsh(const std::string& path) {
-  { const InputFile there(path); }  // of a missing file Gmsh says nothing
+  { const InputFile there(path); }  // Gmsh does not report a missing file
   check_case(path);
   const std::string helper = find_helper(path);
   const auto allowed = allowed_time();
@@ -124,13 +138,14 @@ Document read_through_gmsh(const std::string& path) {
     if (!what.empty()) throw InputError(path + ": " + what);
     try {
       document = read_msh(InputFile(mesh.path()));
-    } catch (const InputError& error) {  // a full disk, say, of which Gmsh does not tell
+    } catch (const InputError& error) {  // for example because of a full disk, which Gmsh does not report
       throw InputError(fmt::format("{}: what Gmsh made of it cannot be read: {}", path, error.what()));
     }
     for (std::string& warning : document.warnings)
       if (warning.starts_with(mesh.path()))
         warning.replace(0, mesh.path().size(), path + ", as Gmsh wrote it");
     tell_warnings(path, talk.warnings, document);
+    list_dropped(talk.dropped, document);
   } catch (const std::system_error& error) {
     throw InputError(fmt::format("{}: cannot be read through Gmsh: {}", path, error.what()));
   }

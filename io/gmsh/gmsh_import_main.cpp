@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tetproof-gmsh-import: reads a file with the Gmsh SDK and writes its mesh as binary .msh 4.1, for
-// io/gmsh/gmsh_import.cpp. It talks as Gmsh does, in lines that begin with "Error   : " or "Warning : ".
+// io/gmsh/gmsh_import.cpp. Like Gmsh it says lines that begin with "Error   : " or "Warning : ". A line
+// "Dropped : COUNT, ITEM, EXAMPLE" is about a part of Gmsh's model that is no mesh.
 #include <fcntl.h>
 #include <gmsh.h>
 #include <sys/mman.h>
@@ -23,6 +24,18 @@ void say(const char* kind, const std::string& text) {
   std::printf("%-8s: %s\n", kind, text.c_str());
 }
 
+void drop(std::size_t count, const std::string& item, const std::string& example) {
+  say("Dropped", std::to_string(count) + ", " + item + ", " + example);
+}
+
+// Names may hold anything, a line end too.
+std::string name_of_view(int tag) {
+  std::string name;
+  gmsh::option::getString("View[" + std::to_string(gmsh::view::getIndex(tag)) + "].Name", name);
+  std::replace(name.begin(), name.end(), '\n', ' ');
+  return name;
+}
+
 bool has_errors() {
   std::vector<std::string> log;
   gmsh::logger::get(log);
@@ -31,8 +44,9 @@ bool has_errors() {
 }
 
 struct Holdings {
-  bool geometry = false;         // anything that could be meshed
-  bool geometry_meshed = false;  // and some of it is: a script decided what it wants
+  std::size_t geometry = 0;      // entities that could be meshed
+  std::string last;              // the last of them, of the highest dimension
+  bool geometry_meshed = false;  // some of them are meshed: a script decided what it wants
   bool elements = false;
 };
 
@@ -47,14 +61,15 @@ Holdings holdings() {
     gmsh::model::mesh::getElementTypes(elements, dim, tag);
     all.elements |= !elements.empty();
     if (type.starts_with("Discrete") || type.starts_with("Partition") || type.starts_with("Ghost")) continue;
-    all.geometry = true;
+    ++all.geometry;
+    all.last = type + " of dimension " + std::to_string(dim) + " and tag " + std::to_string(tag);
     all.geometry_meshed |= !elements.empty();
   }
   return all;
 }
 
-// gmsh::write takes only names that end in .msh, while `Save` in a script takes any, such as that of an open
-// file without a name.
+// gmsh::write takes only names that end in .msh. `Save` in a script takes any, so also that of an open file
+// without a name.
 void write_mesh(int out) {
   gmsh::option::setNumber("Mesh.Format", 1);
   gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
@@ -68,8 +83,8 @@ void write_mesh(int out) {
   gmsh::merge("/proc/self/fd/" + std::to_string(memory));
 }
 
-// Of all formats that Gmsh can be built without it says so itself but of this one, which it takes for a
-// script.
+// Gmsh can be built without support for some formats. It says so itself, except for this one, which it then
+// reads as a script.
 bool built_for(const std::string& in) {
   const std::string ending = in.substr(std::min(in.rfind('.'), in.size()));
   std::string options;
@@ -86,7 +101,7 @@ bool import(const char* in, int out) {
   Holdings found = holdings();
   std::vector<int> views;
   gmsh::view::getTags(views);
-  if (found.geometry && !found.geometry_meshed) {
+  if (found.geometry > 0 && !found.geometry_meshed) {
     gmsh::model::mesh::generate(3);
     if (has_errors()) return false;
     found = holdings();
@@ -100,8 +115,9 @@ bool import(const char* in, int out) {
                      (views.empty() ? "" : ", but " + std::to_string(views.size()) + " views of values"));
     return false;
   }
-  if (!views.empty()) say("Warning", "views of values are left out: " + std::to_string(views.size()));
   write_mesh(out);
+  if (found.geometry > 0) drop(found.geometry, "geometry of entities", found.last);
+  if (!views.empty()) drop(views.size(), "views of values", name_of_view(views[0]));
   return !has_errors();
 }
 
@@ -112,12 +128,12 @@ int main(int argc, char** argv) {
     std::fprintf(stderr,
                  "usage: tetproof-gmsh-import IN OUT.msh [PARENT]\n"
                  "Writes what the Gmsh SDK reads from IN as binary .msh 4.1, for the tetproof programs.\n"
-                 "Ends together with its parent process if that one's number is given.\n");
+                 "Ends together with its parent process if the parent's number is given.\n");
     return 2;
   }
   if (argc == 4) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != std::atoi(argv[3])) return 2;  // it has ended before it could be watched
+    if (::getppid() != std::atoi(argv[3])) return 2;  // the parent has ended already
   }
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -127,14 +143,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  gmsh::initialize(0, nullptr, false);  // nobody's settings
+  gmsh::initialize(0, nullptr, false);  // without the user's settings
   gmsh::option::setNumber("General.Terminal", 1);
   gmsh::option::setNumber("General.Verbosity", 2);  // errors and warnings
   gmsh::logger::start();
   bool done = false;
   try {
     done = import(argv[1], out);
-  } catch (const std::string& error) {  // Gmsh's own, which it has said
+  } catch (const std::string& error) {  // Gmsh's own error, which it has usually said already
     if (!has_errors()) say("Error", error);
   } catch (const std::exception& error) {
     say("Error", error.what());
@@ -142,5 +158,5 @@ int main(int argc, char** argv) {
     say("Error", "an unknown exception");
   }
   std::fflush(nullptr);
-  std::_Exit(done ? 0 : 2);  // all is written; Gmsh's and its libraries' farewell takes time, and may crash
+  std::_Exit(done ? 0 : 2);  // all is written; the end of Gmsh and its libraries takes time, and may crash
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program run as a process of its own, that shares nothing with ours but one file which it writes.
+// Runs a program as a process of its own. It shares one file with ours, which it writes, and nothing else.
 #pragma once
 
 #include <chrono>
@@ -9,8 +9,8 @@
 
 namespace tetproof::io {
 
-/// A file without a name, in the folder for temporary files: gone with the last process that has it open,
-/// whatever ends it. std::system_error when there can be none.
+/// A file without a name, in the folder for temporary files. It disappears with the last process that has it
+/// open, whatever ends that process. std::system_error if it cannot be made.
 class NamelessFile {
  public:
   NamelessFile();
@@ -30,16 +30,16 @@ class NamelessFile {
 struct ProcessEnd {
   int exit_code = -1;     ///< -1: a signal ended it
   int signal = 0;         ///< that signal
-  bool too_late = false;  ///< it was ended since its time was over
-  std::string said;       ///< on standard output and error; of much only the start
+  bool too_late = false;  ///< it was ended because its time was over
+  std::string said;       ///< its standard output and error; of much only the start
 };
 
-/// Where the process finds the file that it shall write.
+/// The path under which the process finds the file that it must write.
 inline constexpr const char* shared_file = "/dev/fd/3";
 
-/// Runs `command` (a path, and arguments) in this process's folder and environment, with nothing to read and
-/// no descriptor but 0, 1, 2 and, as 3, `shared`. When its time is over it is ended, and what it started too.
-/// std::system_error when it cannot be started.
+/// Runs `command` (a path, and arguments) in this process's folder and environment. It has nothing to read,
+/// and no descriptors except 0, 1, 2 and, as 3, `shared`. When its time is over, it and all that it started
+/// are ended. std::system_error if it cannot be started.
 ProcessEnd run_process(const std::vector<std::string>& command, int shared,
                        std::chrono::milliseconds allowed);
 

@@ -12,7 +12,9 @@
 namespace tetproof::io {
 
 /// Adds `count` of `item`. Each item is listed once: its counts are added up and its first example is kept.
-/// A count of 0 adds nothing. `elements`: the item is elements, which the mesh then lacks.
+/// A count of 0 adds nothing. Both texts can contain names from files: control characters in them become
+/// "\x0A" and the like, so that each text is one line. `elements`: the item is elements, which the mesh then
+/// lacks.
 void add_loss(std::vector<Loss>& losses, const std::string& item, std::size_t count,
               const std::string& example, bool elements = false);
 

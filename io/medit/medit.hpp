@@ -11,13 +11,16 @@
 
 namespace tetproof::io {
 
-/// Reads text, keywords in any order, and binary files of versions 1 to 4 and both byte orders; the content
-/// tells which it is. References of nodes become node values "references", unless all are 0, and those of
-/// elements physical groups, but 0. "Corners", "RequiredVertices", "Ridges", "RequiredEdges",
-/// "RequiredTriangles" and "RequiredQuadrilaterals" become values, all 1, of the nodes or elements that they
-/// list; all other keywords sections, as text. Binary keywords of an unknown form are skipped with a warning.
-/// Elements of second order are taken in the order that a keyword such as TetrahedraP2Ordering says, if there
-/// is one. What no node or element has as its number is kept as such.
+/// Reads text with keywords in any order, and binary files of versions 1 to 4 and both byte orders. The
+/// content tells which of the two a file is. References of nodes become node values "references", unless all
+/// are 0. References of elements become physical groups, except 0. "Corners", "RequiredVertices", "Ridges",
+/// "RequiredEdges", "RequiredTriangles" and "RequiredQuadrilaterals" become values, all 1, of the nodes or
+/// elements that they list. "Pentahedra" are read as "Prisms". All other keywords become sections, as text. A
+/// keyword such as TetrahedraP2Ordering sets the order of nodes of second-order elements. A number that no
+/// node or element has is kept as such.
+///
+/// Listed as dropped: binary keywords of unknown code or form, bytes that a binary keyword has behind its
+/// numbers, and everything behind End. Comments (from # to the end of a line) are no data.
 Document read_medit(const InputFile& file);
 
 /// Dimension 3, doubles. Text, or binary of version 2; of 3 beyond 2 GiB, of 4 for numbers beyond 32 bits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document from the numbers of a Medit file.
+// Makes a document of the numbers of a Medit file.
 #include "io/medit/medit_content.hpp"
 
 #include <fmt/format.h>
@@ -8,13 +8,14 @@
 #include <cmath>
 #include <span>
 
+#include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 
 namespace tetproof::io {
 namespace {
 
-// The same with a third coordinate, 0, wherever there are two.
+// Returns the same lines with a third coordinate, 0, for every point.
 MeditLines in_space(const MeditKeyword& keyword, const MeditLines& plane) {
   MeditLines space = plane;
   space.reals.clear();
@@ -58,7 +59,7 @@ void MeditContent::add_section(const MeditKeyword* keyword, std::string_view nam
     return;
   }
   if (lines && name.ends_with("Ordering") && take_order(name, lines->integers)) return;
-  if (lines && dimension == 2) {  // is written in three dimensions
+  if (lines && dimension == 2) {  // it will be written in three dimensions
     const MeditLines three = in_space(*keyword, *lines);
     if (three.reals.size() != lines->reals.size()) body = medit_body(*keyword, three, 3);
   }
@@ -67,6 +68,10 @@ void MeditContent::add_section(const MeditKeyword* keyword, std::string_view nam
 
 void MeditContent::warn(std::string_view text) {
   document_.warnings.push_back(document_.path + std::string(text));
+}
+
+void MeditContent::drop(const std::string& item, std::size_t count, const std::string& example) {
+  add_loss(document_.dropped, item, count, example);
 }
 
 Document MeditContent::finish() {
@@ -116,6 +121,10 @@ void MeditContent::make_references() {
     for (const double r : references_) values.integers.push_back(static_cast<std::int64_t>(r));
     for (const auto& [vertex, large] : large_references_) values.integers[vertex] = large;
   } else {
+    for (const auto& [vertex, large] : large_references_)
+      if (references_[vertex] >= 0x1p63 || static_cast<std::int64_t>(references_[vertex]) != large)
+        drop("references of vertices, rounded to doubles", 1,
+             fmt::format("{} of vertex {}", large, vertex + 1));
     values.reals = std::move(references_);
   }
   document_.node_values.push_back(std::move(values));
@@ -148,7 +157,7 @@ Index MeditContent::node(std::int64_t number) {
              : unknown(number);
 }
 
-// The position of the element with this number among those of its type.
+// The position in the document of the element with this number among those of its type.
 Index MeditContent::element(std::int64_t number, int type) {
   if (number < 1) return unknown(number);
   auto left = static_cast<std::size_t>(number - 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both forms of Medit's files come to: numbers by keyword, put together when all have been read.
+// The content of a Medit file, text or binary: numbers by keyword. They become a document when all have been
+// read.
 #pragma once
 
 #include <bit>
@@ -19,26 +20,30 @@ namespace tetproof::io {
 Document read_medit_text(const InputFile& file);
 Document read_medit_binary(const InputFile& file, std::endian order);
 
-/// Collects what a file says, in the file's order, which need not be that in which one needs the other.
+/// Collects keywords in the file's order. One may refer to another that comes later, so the document is made
+/// at the end.
 class MeditContent {
  public:
   explicit MeditContent(const std::string& path);
 
   struct Elements {
     const MeditKeyword* keyword = nullptr;
-    std::vector<std::int64_t> numbers{};  ///< nodes and reference of each
+    std::vector<std::int64_t> numbers{};  ///< the nodes and then the reference of each element
   };
 
   bool has_vertices() const { return has_vertices_; }
-  /// To be called once, in front of the vertices.
+  /// Must be called once, before the vertices are added.
   void start_vertices(std::size_t count);
   void add_vertex(const Eigen::Vector3d& point, double reference);
   void add_vertex(const Eigen::Vector3d& point, std::int64_t reference);
   void add_elements(Elements list) { elements_.push_back(std::move(list)); }
-  /// Any other keyword (null: one of no known form) and what follows it, as text of `dimension` coordinates.
+  /// Adds any other keyword (null: of no known form) and what follows it, as text with points of `dimension`
+  /// coordinates.
   void add_section(const MeditKeyword* keyword, std::string_view name, std::string body, int dimension);
-  /// Adds a warning; `text` goes on behind the path.
+  /// Adds a warning: the path, and `text` behind it.
   void warn(std::string_view text);
+  /// Lists something that the reader does not take.
+  void drop(const std::string& item, std::size_t count, const std::string& example);
 
   Document finish();
 
@@ -51,7 +56,7 @@ class MeditContent {
   Index element(std::int64_t number, int type);
   Index unknown(std::int64_t number);
 
-  /// Elements of one type, one after the other.
+  /// Consecutive elements of one type.
   struct Run {
     int type;
     std::size_t first, count;
@@ -60,10 +65,11 @@ class MeditContent {
   Document document_;
   bool has_vertices_ = false;
   std::vector<double> references_;
-  std::vector<std::pair<std::size_t, std::int64_t>> large_references_;  // those that are no doubles
+  // References that a double does not hold, with their vertices.
+  std::vector<std::pair<std::size_t, std::int64_t>> large_references_;
   std::vector<Elements> elements_;
   std::vector<std::pair<const MeditMark*, std::vector<std::int64_t>>> marks_;
-  std::unordered_map<int, std::vector<int>> orders_;  // of nodes, by type, where the file tells one
+  std::unordered_map<int, std::vector<int>> orders_;  // of nodes, by type, where the file says one
   std::vector<Run> runs_;
   std::unordered_map<std::int64_t, Index> unknown_;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of Medit's keywords, and sections of a fixed form.
+// The table of Medit's keywords, and the numbers of sections of a fixed form.
 #include "io/medit/medit_keywords.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/text_output.hpp"
@@ -35,6 +36,10 @@ constexpr MeditKeyword keywords[] = {
     {137, "PrismsP2Ordering", 0, "iiii"}, {139, "HexahedraQ2Ordering", 0, "iii"}};
 // clang-format on
 
+// Other names that programs give to keywords.
+constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
+    {"Hexaedra", "Hexahedra"}, {"Pentahedra", "Prisms"}, {"PentahedraP2", "PrismsP2"}};
+
 constexpr MeditMark marks[] = {{"Corners", 0},       {"RequiredVertices", 0},  {"Ridges", 1},
                                {"RequiredEdges", 1}, {"RequiredTriangles", 2}, {"RequiredQuadrilaterals", 3}};
 
@@ -53,7 +58,8 @@ const MeditKeyword* medit_keyword(int code) {
 }
 
 const MeditKeyword* medit_keyword(std::string_view name) {
-  if (name == "Hexaedra") name = "Hexahedra";  // as some programs spell it
+  for (const auto& [synonym, usual] : synonyms)
+    if (name == synonym) name = usual;
   for (const MeditKeyword& keyword : keywords)
     if (keyword.name == name) return &keyword;
   return nullptr;

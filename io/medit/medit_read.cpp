@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of its two forms a Medit file has.
+// Finds out which of its two forms a Medit file has, and reads it.
 #include <bit>
 
 #include "io/bytes/byte_order.hpp"

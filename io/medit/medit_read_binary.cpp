@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medit's binary files: a chain of keywords by number, each with the place of the next one.
+// Reads Medit's binary files: a chain of numbered keywords, each with the place of the next one.
 #include <fmt/format.h>
 
 #include <bit>
@@ -27,6 +27,7 @@ class Reader {
     if (dimension_ == 0) in_.fail_at_byte("expected Dimension, found the end of the file");
     if (!content_.has_vertices()) in_.fail_at_byte("expected Vertices, found the end of the file");
     if (!ended) content_.warn(": the file does not close with End");
+    content_.drop("bytes behind End", in_.remaining(), fmt::format("byte {}", in_.offset()));
     return content_.finish();
   }
 
@@ -40,24 +41,32 @@ class Reader {
         (next < static_cast<std::int64_t>(in_.offset()) || next > static_cast<std::int64_t>(size_)))
       in_.fail_at_byte(fmt::format("expected the place of the next keyword, from {} to {}, found {}",
                                    in_.offset(), size_, next));
-    const std::size_t end = next == 0 ? size_ : static_cast<std::size_t>(next);
+    const std::size_t start = in_.offset(), end = next == 0 ? size_ : static_cast<std::size_t>(next);
+    std::string name = "Dimension";
     if (code == medit_dimension) {
       dimension_ = static_cast<int>(number<std::int32_t>("the dimension 2 or 3"));
       if (dimension_ != 2 && dimension_ != 3)
         in_.fail_at_byte(fmt::format("expected the dimension 2 or 3, found {}", dimension_));
     } else if (code == medit_vertices) {
+      name = "Vertices";
       vertices(end);
     } else {
       const MeditKeyword* known =
           code > 0 && code < 1 << 16 ? medit_keyword(static_cast<int>(code)) : nullptr;
-      if (known && known->element != 0)
-        elements(*known, end);
-      else if (!known || !section(*known, end))
-        content_.warn(fmt::format(": byte {}: {} bytes of keyword {}{} are skipped", in_.offset(),
-                                  end - in_.offset(), code, known ? fmt::format(" ({})", known->name) : ""));
+      name = known ? std::string(known->name) : fmt::format("of code {}", code);
       if (!known && next == 0) in_.fail_at_byte(fmt::format("expected a keyword, found {}", code));
+      if (known && known->element != 0) {
+        elements(*known, end);
+      } else if (!known || !section(*known, end)) {
+        content_.drop("keyword " + name, 1, fmt::format("byte {}: {} bytes", start, end - start));
+        in_.raw(end - start, "a keyword's data");
+      }
     }
-    if (next != 0) in_.raw(end - in_.offset(), "a keyword's data");
+    if (next != 0) {
+      const std::size_t behind = in_.offset();
+      in_.raw(end - behind, "a keyword's data");
+      content_.drop("bytes behind the numbers of " + name, end - behind, fmt::format("byte {}", behind));
+    }
     return next == 0 && in_.remaining() == 0;
   }
 
@@ -86,7 +95,7 @@ class Reader {
     content_.add_elements(std::move(list));
   }
 
-  // False where the bytes are not as many as its form makes them.
+  // False where the number of bytes does not fit the keyword's form. Then nothing was read.
   bool section(const MeditKeyword& keyword, std::size_t end) {
     if (dimension_ == 0 && keyword.format.find('c') != std::string_view::npos) return false;
     std::size_t row = 0;
@@ -120,7 +129,7 @@ class Reader {
     return version_ == 4 ? number<std::int64_t>("an integer") : number<std::int32_t>("an integer");
   }
 
-  // Of lines of so many bytes each, which must stand in front of `end`.
+  // A number of lines of `row` bytes each, which must fit in front of `end`.
   std::size_t count(const char* what, std::size_t row, std::size_t end) {
     const std::int64_t value = integer();
     const std::size_t left = end > in_.offset() ? end - in_.offset() : 0;

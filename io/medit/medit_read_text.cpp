@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medit's text files: keywords in any order, each with its numbers behind it.
+// Reads Medit's text files: keywords in any order, each followed by its numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,6 +34,7 @@ class Reader {
     if (dimension_ == 0) in_.fail("Dimension", {});
     if (!content_.has_vertices()) in_.fail("Vertices", {});
     if (!ended) content_.warn(": the file does not close with End");
+    drop_rest();
     return content_.finish();
   }
 
@@ -58,6 +59,12 @@ class Reader {
     const MeditKeyword* known = medit_keyword(name);
     if (known && known->element != 0) return elements(*known);
     section(known, name);
+  }
+
+  // Lines behind End that are no comments.
+  void drop_rest() {
+    for (; !in_.at_end('#'); in_.next_line())
+      content_.drop("lines behind End", 1, fmt::format("line {}", in_.line()));
   }
 
   void vertices() {
@@ -104,7 +111,7 @@ class Reader {
     content_.add_elements(std::move(list));
   }
 
-  // As it stands, up to a line that begins with a letter.
+  // Keeps what follows the keyword as it stands, up to a line that begins with a letter.
   void section(const MeditKeyword* known, std::string_view name) {
     if (!known)
       content_.warn(fmt::format(":{}: the keyword {} is not known; what follows it is kept as it stands",

@@ -10,11 +10,15 @@
 
 namespace tetproof::io {
 
-/// Versions 1 to 4.1, text and binary of both byte orders. A reference to a node or element that does not
-/// exist is kept as such; sections that are not understood are kept as they stand. Of several elements in one
-/// section of .msh 1 or 2 that differ only in their physical group, the first is kept, in all those groups.
-/// $NodeData, $ElementData and $ElementNodeData become values of a view; without a real tag (the time), they
-/// are values of none. InputError naming the line or byte for all else.
+/// Reads versions 1 to 4.1, text and binary of both byte orders. A reference to a node or element that does
+/// not exist is kept as such. Sections that are not understood are kept as they stand. If consecutive
+/// elements of .msh 1 or 2 differ only in their tag and physical group, the first is kept, in all those
+/// groups; a warning says so. $NodeData, $ElementData and $ElementNodeData become values of a view, or of
+/// none if they have no real tag (the time). InputError, naming the line or byte, for everything else.
+///
+/// Listed as dropped: bytes behind the last section, texts behind the names of sections and beside the names
+/// of physical groups, tags of elements that have no meaning (2.2: behind the partitions), the parents of
+/// sub-elements in version 3, and a supplement that is outdated.
 Document read_msh(const InputFile& file);
 
 /// Binary numbers are in this machine's byte order, which the file names. What has no place where Gmsh looks

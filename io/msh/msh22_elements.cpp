@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/msh/msh22_elements.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/msh/msh22_limits.hpp"
 
 namespace tetproof::io {
@@ -22,11 +25,28 @@ void Elements22::set_tags(std::span<const std::int64_t> tags) {
   group_ = count > 0 ? tags_[0] : 0;
   entity_ = count > 1 ? tags_[1] : 0;
   partitions_ = 0;
+  std::int64_t meant = std::min<std::int64_t>(count, 3);
   if (count > 2 && kind_ != ElementTags::v22) partitions_ = sets_({tags_[2]});
   if (count > 3 && kind_ == ElementTags::v22) {
     const auto named = tags_.begin() + 3;
-    partitions_ = sets_({named, named + std::clamp<std::int64_t>(tags_[2], 0, count - 3)});
+    const std::int64_t partitions = std::clamp<std::int64_t>(tags_[2], 0, count - 3);
+    partitions_ = sets_({named, named + partitions});
+    meant += partitions;
   }
+  // A third tag announces partitions. Without any behind it, it says nothing that is kept.
+  if (count == 3 && kind_ == ElementTags::v22 && tags_[2] != 0) --meant;
+  spare_each_ = static_cast<std::size_t>(count - meant);
+}
+
+void Elements22::count_spare_tags(std::int64_t first, std::size_t elements) {
+  if (spare_each_ == 0 || elements == 0) return;
+  if (spare_count_ == 0) first_spare_ = first;
+  spare_count_ += spare_each_ * elements;
+}
+
+void Elements22::list_dropped() {
+  add_loss(document_.dropped, "tags of elements without a meaning", spare_count_,
+           fmt::format("element {}", first_spare_));
 }
 
 void Elements22::set_entity(std::int64_t entity, const std::vector<std::int64_t>& partitions) {
@@ -38,6 +58,7 @@ void Elements22::set_entity(std::int64_t entity, const std::vector<std::int64_t>
 // the group and the tag. So an element waits until the next one has been read. An element with another number
 // of tags is not such a copy: our writer has no other way to tell the two apart.
 void Elements22::add(std::int64_t tag, std::span<const Index> nodes) {
+  count_spare_tags(tag, 1);
   if (repeats_waiting(nodes)) {
     waiting_.groups.push_back(group_);
     copies_.emplace_back(tag, static_cast<Index>(document_.elements()));  // where its first listing will be
@@ -75,6 +96,7 @@ void Elements22::add(const PlainElements22& piece, std::size_t left) {
       }
       finish();
       const std::size_t here = std::min(end, count - 1) - e;
+      count_spare_tags(piece.tags[e], here);
       ElementBlock& block = block_of({.type = run.type->type,
                                       .dim = dimension22(run.type->type),
                                       .entity = entity_,
@@ -102,7 +124,8 @@ void Elements22::finish() {
 }
 
 Elements22::Mark Elements22::mark() const {
-  return {document_.blocks, document_.elements(), document_.connectivity.size(), copies_.size(), waiting_};
+  return {document_.blocks, document_.elements(), document_.connectivity.size(), copies_.size(),
+          waiting_,         spare_count_};
 }
 
 void Elements22::back_to(const Mark& mark) {
@@ -111,6 +134,7 @@ void Elements22::back_to(const Mark& mark) {
   element_tags_.cut(mark.elements);
   copies_.resize(mark.copies);
   waiting_ = mark.waiting;
+  spare_count_ = mark.spare_count;
 }
 
 bool Elements22::repeats_waiting(std::span<const Index> nodes) const {

@@ -29,6 +29,8 @@ class Elements22 {
   void add(const PlainElements22& elements, std::size_t left);
   /// To be called after the last element.
   void finish();
+  /// Lists the tags that have no meaning, behind those that have one.
+  void list_dropped();
 
  private:
   struct Waiting {
@@ -47,11 +49,13 @@ class Elements22 {
     std::vector<ElementBlock> blocks;
     std::size_t elements, nodes, copies;
     Waiting waiting;
+    std::size_t spare_count;
   };
   Mark mark() const;
   void back_to(const Mark& mark);
 
  private:
+  void count_spare_tags(std::int64_t first, std::size_t elements);
   bool repeats_waiting(std::span<const Index> nodes) const;
   ElementBlock& block_of(ElementBlock like);
 
@@ -63,7 +67,10 @@ class Elements22 {
 
   std::int64_t number_ = -1, group_ = 0, entity_ = 0;
   std::int32_t partitions_ = 0;
-  std::vector<std::int64_t> tags_;  // as last set
+  std::vector<std::int64_t> tags_;  // those last set
+  std::size_t spare_each_ = 0;      // of them without a meaning
+  std::size_t spare_count_ = 0;     // of all elements
+  std::int64_t first_spare_ = 0;    // the tag of the first element that has any
   Waiting waiting_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads runs of plain nodes and elements of .msh 2.2 with several threads.
 #include "io/msh/msh22_plain.hpp"
 
 #include <tbb/task_arena.h>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_tags = 16;
 
-// Puts elements into a piece, one after the other.
+// Adds elements to a piece one by one.
 class PieceMaker {
  public:
   PieceMaker(const NodeIndex& index, PlainElements22& piece) : index_(index), piece_(piece) {}
@@ -47,7 +48,7 @@ class PieceMaker {
   }
 
  private:
-  // Both by hand, since they compare a few numbers.
+  // Loops instead of library calls: both compare only a few numbers.
   bool has_last_tags(std::span<const std::int64_t> tags) const {
     const std::size_t count = piece_.runs.back().tags;
     if (tags.size() != count) return false;
@@ -66,7 +67,7 @@ class PieceMaker {
   const NodeIndex::Known index_;
   PlainElements22& piece_;
   std::int64_t number_ = -1;
-  const ElementType* type_ = nullptr;  // of this number
+  const ElementType* type_ = nullptr;  // the type with this number
 };
 
 bool read_element(PlainLine& line, PieceMaker& to) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nodes and elements of .msh 2.2 where they are as usual, lines of text or binary records, read by several
-// threads. False where they are few or anything about them is unusual (an unknown type, a node that does not
-// exist, more than a few tags, bytes in the other order): then nothing was read.
+// Reads ordinary nodes and elements of .msh 2.2, lines of text or binary records, with several threads. The
+// functions return false where there are few of them or anything is unusual: an unknown type, a node that
+// does not exist, more than a few tags, bytes in the other order. Then nothing was read.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@
 
 namespace tetproof::io {
 
-/// Some of the elements of a file, one after the other.
+/// Consecutive elements of a file.
 struct PlainElements22 {
-  /// Elements one after the other that are alike in type and tags.
+  /// Consecutive elements with the same type and tags.
   struct Run {
     const ElementType* type = nullptr;
-    std::size_t tags = 0;  ///< so many of `run_tags`
+    std::size_t tags = 0;  ///< how many of `run_tags` are its tags
     std::size_t count = 0;
   };
   std::vector<Run> runs{};
-  std::vector<std::int64_t> run_tags{};  ///< one run's after the other's
+  std::vector<std::int64_t> run_tags{};  ///< of all runs, one after the other
   std::vector<std::int64_t> tags{};      ///< of the elements
   std::vector<Index> nodes{};
-  bool repeats =
-      false;  ///< an element may have the nodes of the one before it, as those in several groups do
+  /// An element may have the nodes of the one before it: such elements may be in several groups.
+  bool repeats = false;
 
   void clear() { runs.clear(), run_tags.clear(), tags.clear(), nodes.clear(), repeats = false; }
 };
@@ -35,11 +35,11 @@ using TakeElements22 = std::function<void(const PlainElements22&)>;
 
 bool read_plain_nodes22(Numbers& in, std::size_t count, Document& document, Tags& tags);
 
-/// Gives all elements to `take`, in order, and stops behind them. False as above; what was taken must then be
-/// given back.
+/// Passes all elements to `take`, in order, and stops behind them. After false, the caller must undo what it
+/// took.
 bool read_plain_elements22(Numbers& in, std::size_t count, const NodeIndex& index,
                            const TakeElements22& take);
-/// The binary elements behind one header.
+/// Does the same with the binary elements behind one header.
 bool read_plain_records22(Numbers& in, const ElementType& type, std::size_t count, std::size_t tags,
                           const NodeIndex& index, const TakeElements22& take);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of .msh 1 to 3, but for the entities of 3.
+// Reads the nodes of .msh 1 and 2 and the elements of .msh 1 to 3.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/plain_lines.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh22_elements.hpp"
 #include "io/msh/msh_sections.hpp"
@@ -21,7 +22,8 @@ class ElementReader {
                 std::vector<ElementTag>& copies)
       : in_(in), document_(document), index_(index), elements_(kind, document, sets, copies) {}
 
-  // A line: tag, type, number of tags, tags, nodes; for polygons and polyhedra their number before them.
+  // A line: tag, type, number of tags, tags, nodes. Polygons and polyhedra have the number of nodes before
+  // them.
   void read_text(std::int64_t count) {
     make_room(count);
     if (read_plain(static_cast<std::size_t>(count), [&](const auto& take) {
@@ -54,8 +56,8 @@ class ElementReader {
     elements_.finish();
   }
 
-  // A line: tag, type, entity, how many numbers follow: nodes; then partitions, if there are more, behind
-  // their number. Of a type that is not known all are nodes.
+  // A line: tag, type, entity, how many numbers follow. These are the nodes and, if there are more, the
+  // number of partitions and the partitions. For a type that is not known all of them are nodes.
   void read_3(std::int64_t count) {
     for (std::int64_t e = 0; e < count; ++e) {
       const std::int64_t tag = in_.integer("the tag of an element");
@@ -73,13 +75,10 @@ class ElementReader {
       if (!partitions.empty()) {
         if (partitions[0] == static_cast<std::int64_t>(partitions.size()) - 1) {
           partitions.erase(partitions.begin());
-        } else {  // the parent of a sub-element, for which there is no room
+        } else {  // the parent of a sub-element: a document has no place for it
+          add_loss(document_.dropped, "numbers behind the nodes of elements that are no partitions",
+                   partitions.size(), fmt::format("element {}", tag));
           partitions.clear();
-          if (++ignored_ == 1)
-            document_.warnings.push_back(
-                fmt::format("{}: element {} has numbers behind its nodes that are no partitions: they are "
-                            "ignored (the first such)",
-                            document_.path, tag));
         }
       }
       elements_.set_entity(entity, partitions);
@@ -88,7 +87,7 @@ class ElementReader {
     elements_.finish();
   }
 
-  // Headers (type, number of elements, number of tags), each with its elements (tag, tags, nodes).
+  // Headers (type, number of elements, number of tags), each followed by its elements (tag, tags, nodes).
   void read_binary(std::int64_t count) {
     make_room(count);
     for (std::int64_t left = count; left > 0;) {
@@ -114,14 +113,16 @@ class ElementReader {
     elements_.finish();
   }
 
+  void list_dropped() { elements_.list_dropped(); }
+
  private:
-  // Most are tetrahedra in most files.
+  // In most files most elements are tetrahedra.
   void make_room(std::int64_t count) {
     reserve_in_large_pages(document_.connectivity,
                            document_.connectivity.size() + 4 * static_cast<std::size_t>(count));
   }
 
-  // `read` gives plain elements to what it is given, or answers false, and nothing was read.
+  // `read` passes plain elements to its argument. Where it returns false, nothing was read.
   template <class Read>
   bool read_plain(std::size_t count, const Read& read) {
     if (count < least_plain_lines) return false;
@@ -175,7 +176,6 @@ class ElementReader {
   const ElementType* type_ = nullptr;
   std::vector<std::int64_t> tags_;
   std::vector<Index> nodes_;
-  std::size_t ignored_ = 0;
 };
 
 }  // namespace
@@ -217,6 +217,7 @@ void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document
     reader.read_1(count);
   else
     in.binary() ? reader.read_binary(count) : reader.read_text(count);
+  reader.list_dropped();
 }
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections that only .msh 3 has: entities without boxes, nodes that may name their entity.
+// Reads the sections that only .msh 3 has: entities without boxes, and nodes that may name their entity.
 #include <fmt/format.h>
 
 #include "io/msh/msh_sections.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads runs of plain tags, points and elements of .msh 4.1 with several threads.
 #include "io/msh/msh4_plain.hpp"
 
 #include <atomic>
@@ -12,13 +13,13 @@ namespace {
 
 constexpr std::size_t number_size = 8;  // of tags and coordinates in binary
 
-// Whether the next `count` records of so many numbers are binary ones to be read at once.
+// Whether the next `count` records of so many numbers are binary and can be read at once.
 bool are_records(const Numbers& in, std::size_t count, std::size_t numbers) {
   return in.binary() && !in.swapped() && count >= least_plain_records &&
          in.remaining() / (numbers * number_size) >= count;
 }
 
-// Tags that each stand at the start of a binary record.
+// Adds tags that stand at the start of binary records.
 void add_tags(const Numbers& in, std::size_t count, std::size_t record_size, Tags& tags, std::size_t position,
               bool ascending) {
   const auto first = number_at<std::int64_t>(in.source().bytes.data() + in.offset());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks of nodes and elements of .msh 4.1, text or binary, where all is as usual: read by several threads.
+// Reads ordinary blocks of nodes and elements of .msh 4.1, text or binary, with several threads.
 #pragma once
 
 #include "io/document.hpp"
@@ -8,15 +8,16 @@
 
 namespace tetproof::io {
 
-// Each is false where the block is short, in the other byte order, or has a line that is not plain; nothing
-// was read then.
+// Each returns false where the block is short, in the other byte order, or has a line that is not plain. Then
+// nothing was read.
 
-/// The tags of a block of nodes, the first of which is the node at `position`.
+/// Reads the tags of a block of nodes. The first of them is the node at `position`.
 bool read_plain_tags(Numbers& in, std::size_t count, Tags& tags, std::size_t position);
-/// Coordinates of the nodes of the block, which are the document's last; its parameters have their places.
+/// Reads the coordinates of the nodes of the block, which are the document's last. There is room for its
+/// parameters.
 bool read_plain_points(Numbers& in, const NodeBlock& block, Document& document);
-/// Tags of elements, the first of which is the one at `position`, and their nodes, `each` for one. Not plain
-/// is one that names a node which the index does not have.
+/// Reads the tags of elements, the first of which is the one at `position`, and their nodes, `each` for one
+/// element. An element that names a node which the index does not have is not plain.
 bool read_plain_elements(Numbers& in, std::size_t count, int each, Index* nodes, const NodeIndex& index,
                          Tags& tags, std::size_t position);
 

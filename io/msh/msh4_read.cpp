@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of .msh 4.0 and 4.1, which differ in the order of a few numbers.
+// Reads the sections of .msh 4.0 and 4.1, which differ in the order of a few numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace tetproof::io {
 namespace {
 
-// A tag of a node or an element: an int in binary 4.0.
+// Reads the tag of a node or an element. In binary 4.0 it is an int.
 std::int64_t read_tag(Numbers& in, bool v40, const char* expected) {
   return v40 ? in.integer(expected) : in.size(expected);
 }
@@ -61,7 +61,7 @@ void read_all_entities(Numbers& in, bool partitioned, bool v40, Document& docume
   }
 }
 
-// The entity of a block of nodes or elements: 4.0 tells its tag first, 4.1 its dimension.
+// Reads the entity of a block of nodes or elements. 4.0 has its tag first, 4.1 its dimension.
 template <class Block>
 void read_entity_of(Numbers& in, bool v40, Block& block) {
   if (!v40) block.dim = read_dim(in);
@@ -69,7 +69,7 @@ void read_entity_of(Numbers& in, bool v40, Block& block) {
   if (v40) block.dim = read_dim(in);
 }
 
-// Elements of `each` nodes; `document.blocks.back()` is theirs.
+// Reads the elements of `document.blocks.back()`, which have `each` nodes.
 void read_block(Numbers& in, bool v40, std::size_t count, int each, Document& document, NodeIndex& index,
                 Tags& tags) {
   const std::size_t first = document.blocks.back().first;
@@ -131,7 +131,7 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
       in.fail(fmt::format("expected at most {} nodes in a block, as $Nodes says, found {}",
                           before + total - block.first, block.count));
     if (v40) {
-      // Each node's tag stands with its coordinates.
+      // Each node's tag stands in front of its coordinates.
     } else if (!read_plain_tags(in, block.count, tags, block.first)) {
       for (std::size_t i = 0; i < block.count; ++i) tags.add(block.first + i, in.size("the tag of a node"));
     }
@@ -160,7 +160,7 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
   }
   Tags tags(document.element_tags, document.first_element);
   const std::size_t before = document.elements();
-  // Most are tetrahedra in most files; and no more than the bytes can hold.
+  // In most files most elements are tetrahedra. There are no more nodes than the bytes can hold.
   reserve_in_large_pages(document.connectivity,
                          document.connectivity.size() + std::min<std::size_t>(4 * total, in.remaining() / 2));
   for (std::int64_t b = 0; b < blocks; ++b) {
@@ -187,7 +187,7 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
       read_block(in, v40, count, block.nodes_each, document, index, tags);
       continue;
     }
-    // How many nodes it has, only its line says.
+    // Only the line of such an element shows how many nodes it has.
     for (std::size_t e = 0; e < count; ++e) {
       in.skip_blanks();
       block.nodes_each = in.words_in_line() - 1;

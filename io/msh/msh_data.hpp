@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of .msh that say something of nodes and elements: $Periodic, $GhostElements, and the data of
+// The sections of .msh about nodes and elements of other sections: $Periodic, $GhostElements, and the data of
 // views.
 #pragma once
 
@@ -17,21 +17,21 @@
 
 namespace tetproof::io {
 
-/// An element's tag and its position; for the copies of an element in several groups, too.
+/// An element's tag and its position. The copies of an element in several groups have such a pair too.
 using ElementTag = std::pair<std::int64_t, Index>;
 
-/// What these sections said. They name nodes and elements by their tags, and may stand in front of them: so
-/// the tags are looked up when everything has been read.
+/// The content of these sections. They name nodes and elements by their tags, and may stand in front of them.
+/// So the tags are looked up when everything has been read.
 class MshData {
  public:
   bool empty() const { return values_.empty() && links_.empty() && ghosts_.empty(); }
 
-  /// `affine_word`: a transformation stands behind the word "Affine" (versions 1 to 3, 4.0 as text), else
-  /// behind the number of its values.
+  /// `affine_word`: a transformation stands behind the word "Affine" (versions 1 to 3, 4.0 as text).
+  /// Otherwise it stands behind the number of its values.
   void read_periodic(Numbers& in, bool affine_word);
   void read_ghosts(Numbers& in);
 
-  /// The lines in front of the rows, as Values without any; and how many rows follow.
+  /// The lines in front of the rows: Values that are still empty, and how many rows follow.
   struct Header {
     Values values;
     std::int64_t rows = 0;
@@ -40,7 +40,7 @@ class MshData {
   static std::optional<Header> read_header(Scanner& in);
   void read_rows(Numbers& in, Header header, Of of);
 
-  /// Puts all that was read into `document`. `copies`: tags of elements that were merged into others.
+  /// Adds all that was read to `document`. `copies`: tags of elements that were merged into others.
   void look_up(Document& document, NodeIndex& nodes, const std::vector<ElementTag>& copies);
 
  private:

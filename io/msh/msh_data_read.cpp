@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t affine_size = 16;
 
-// The text between the quotes of a line that has nothing else.
+// The text between the quotes of a line, if the line has nothing else.
 std::optional<std::string> quoted(std::string_view line) {
   constexpr std::string_view blanks = " \t\v\f";
   const std::size_t from = line.find_first_not_of(blanks);
@@ -32,7 +32,7 @@ bool skip_word(Numbers& in, std::string_view word) {
   return true;
 }
 
-// Finds elements by their tags; of several with one tag, the first.
+// Finds elements by their tags. If several have the same tag, the first.
 class ElementIndex {
  public:
   ElementIndex(Document& document, const std::vector<ElementTag>& copies) : document_(document) {
@@ -70,11 +70,11 @@ class ElementIndex {
 
   Document& document_;
   std::vector<ElementTag> sorted_;
-  std::unordered_map<std::int64_t, Index> unknown_;  // of the first `known_` of the document's
+  std::unordered_map<std::int64_t, Index> unknown_;  // of the document's first `known_`
   std::size_t known_ = 0;
 };
 
-// Positions that only count up need no list.
+// Positions that only count up are not listed.
 void set_positions(Values& values, std::vector<Index> at) {
   bool counts_up = !at.empty() && at[0] >= 0;
   for (std::size_t i = 1; i < at.size() && counts_up; ++i) counts_up = at[i] == at[i - 1] + 1;
@@ -155,9 +155,9 @@ std::optional<MshData::Header> MshData::read_header(Scanner& in) {
     in.fail_in_line(fmt::format("expected the number of components of the data, found {}", integers[1]));
   values.step = integers[0];
   values.components = static_cast<int>(integers[1]);
-  values.partition = integers.size() > 3 ? integers[3] : 0;  // which is none
+  values.partition = integers.size() > 3 ? integers[3] : 0;  // 0: none
   header.rows = integers[2];
-  // Without a time they are no view's: as our own writer tells values that are not.
+  // Values without a time are of no view. Our own writer writes them like this.
   if (!values.of_view && (values.step != 0 || values.partition != 0 || !values.interpolation.empty()))
     return std::nullopt;
   in.next_line();
@@ -191,7 +191,7 @@ void MshData::read_rows(Numbers& in, Header header, Of of) {
   in = here;
 }
 
-// Nodes first: what they name but do not have may be what elements do not have either.
+// Looks up nodes first. A number that no node has may be one that no element has either.
 void MshData::look_up(Document& document, NodeIndex& nodes, const std::vector<ElementTag>& copies) {
   for (TaggedLink& read : links_) {
     read.link.nodes.reserve(read.tags.size());

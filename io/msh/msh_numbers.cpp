@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Handles the numbers of a .msh section that are unusual or wrong.
 #include "io/msh/numbers.hpp"
 
 #include <fmt/format.h>

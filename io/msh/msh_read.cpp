@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of a .msh file: its header, its sections, and what holds for all of it.
+// Reads a .msh file section by section, and joins what the sections say.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "io/bytes/checksum.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh_data.hpp"
@@ -31,8 +32,8 @@ class Reader {
       if (document_.format.empty() && (word == "$NOD" || word == "$NOE")) document_.format = "msh1";
       if (word.size() < 2 || word[0] != '$') {
         if (!has_nodes_ || !has_elements_) in_.fail("a section ($Name)", word);
-        document_.warnings.push_back(fmt::format("{}: byte {}: {} bytes after the last section are ignored",
-                                                 file_.path(), start, file_.bytes().size() - start));
+        add_loss(document_.dropped, "bytes behind the last section", file_.bytes().size() - start,
+                 fmt::format("byte {}", start));
         break;
       }
       const std::string name(word.substr(1));
@@ -40,7 +41,7 @@ class Reader {
         in_.fail("a section ($Name)", word);
       if (document_.format.empty() && name != "MeshFormat" && name != "Comments")
         in_.fail("$MeshFormat", word);
-      in_.next_line();
+      behind_the_name(name);
       section(name);
     }
     if (document_.format.empty()) in_.fail("$MeshFormat", {});
@@ -52,13 +53,22 @@ class Reader {
   }
 
  private:
+  // A section begins in the line after its name.
+  void behind_the_name(const std::string& name) {
+    if (!in_.at_line_end())
+      add_loss(document_.dropped, "texts behind the names of sections", 1,
+               fmt::format("line {}: ${}", in_.line(), name));
+    in_.next_line();
+  }
+
   void section(const std::string& name) {
     const std::string& format_name = document_.format;
     const bool v4 = format_name == "msh41" || format_name == "msh40";
     if (name == "MeshFormat") {
-      format();
+      if (!format_name.empty()) in_.fail_in_line("a second $MeshFormat");
+      format_ = read_mesh_format(in_, document_);
     } else if (name == "PhysicalNames") {
-      physical_names();
+      read_physical_names(in_, document_);
     } else if (name == "Nodes" || (name == "ParametricNodes" && format_name == "msh22") ||
                ((name == "NOD" || name == "NOE") && format_name == "msh1")) {
       nodes(name == "ParametricNodes");
@@ -78,7 +88,7 @@ class Reader {
       return;
     } else if (name == "Periodic") {
       Numbers numbers = numbers_here(!v4);
-      data_.read_periodic(numbers, !v4 || (format_name == "msh40" && !binary_));
+      data_.read_periodic(numbers, !v4 || (format_name == "msh40" && !format_.binary));
       go_to(numbers.offset());
     } else if (name == "GhostElements" && v4) {
       Numbers numbers = numbers_here();
@@ -104,7 +114,7 @@ class Reader {
     return name == "NodeData" || name == "ElementData" || name == "ElementNodeData";
   }
 
-  // False where it has tags that are not understood.
+  // False where the section has tags that are not understood.
   bool data(const std::string& name) {
     Scanner in = in_;
     auto header = MshData::read_header(in);
@@ -119,60 +129,6 @@ class Reader {
     return true;
   }
 
-  void format() {
-    if (!document_.format.empty()) in_.fail_in_line("a second $MeshFormat");
-    const std::string_view version = in_.word();
-    double number = 0;
-    if (!parse_real(version, number)) in_.fail("a version of the format", version);
-    if (number != 4.1 && number != 4 && !(number >= 2 && number < 4)) refuse_version(version);
-    document_.format = number == 4.1 ? "msh41" : number == 4 ? "msh40" : number >= 3 ? "msh3" : "msh22";
-    element_tags_ = number >= 3 ? ElementTags::v3 : number >= 2.2 ? ElementTags::v22 : ElementTags::v20;
-    const std::int64_t kind = in_.integer("0 for text or 1 for binary");
-    if (kind != 0 && kind != 1)
-      in_.fail_in_line(fmt::format("expected 0 for text or 1 for binary, found {}", kind));
-    binary_ = kind == 1;
-    const std::int64_t size = in_.integer("the size of a number in bytes");
-    if (!binary_ && size != 8)
-      document_.warnings.push_back(
-          fmt::format("{}:{}: the size of numbers is {} and not 8, which means nothing in text", file_.path(),
-                      in_.line(), size));
-    if (!binary_) return;
-    if (size != 8) in_.fail_in_line(fmt::format("expected binary numbers of 8 bytes, found {}", size));
-    in_.next_line();
-    const std::size_t place = in_.offset();
-    const std::string_view one = in_.raw(4, "the number 1 that tells the byte order");
-    Numbers as_here(file_.path(), one, 0, true, false), swapped(file_.path(), one, 0, true, true);
-    if (as_here.integer("") == 1) return;
-    swapped_ = swapped.integer("") == 1;
-    if (!swapped_) {
-      go_to(place);
-      in_.fail_at_byte("expected the number 1 that tells the byte order");
-    }
-  }
-
-  [[noreturn]] void refuse_version(std::string_view version) {
-    in_.fail_in_line(
-        fmt::format("this is a .msh file of version {}; versions 1 to 3, 4.0 and 4.1 are read", version));
-  }
-
-  void physical_names() {
-    const std::int64_t count = in_.count("the number of physical names", 6);
-    for (std::int64_t i = 0; i < count; ++i) {
-      GroupName name;
-      const std::int64_t dim = in_.integer("the dimension of a physical group");
-      if (dim < 0 || dim > 3)
-        in_.fail_in_line(fmt::format("expected the dimension of a physical group, 0 to 3, found {}", dim));
-      name.dim = static_cast<int>(dim);
-      name.group = in_.integer("the number of a physical group");
-      in_.at_line_end();
-      const std::string_view line = in_.rest_of_line();
-      const std::size_t from = line.find('"'), to = line.rfind('"');
-      if (from == std::string_view::npos || to == from) in_.fail("a name in double quotes", line);
-      name.name = line.substr(from + 1, to - from - 1);
-      document_.group_names.push_back(std::move(name));
-    }
-  }
-
   void nodes(bool parametric) {
     has_nodes_ = true;
     nodes_came_later_ = has_elements_;
@@ -183,8 +139,8 @@ class Reader {
       go_to(numbers.offset());
       return;
     }
-    const std::int64_t count = in_.count("the number of nodes", binary_ ? 28 : 8);
-    if (binary_) in_.next_line();
+    const std::int64_t count = in_.count("the number of nodes", format_.binary ? 28 : 8);
+    if (format_.binary) in_.next_line();
     Numbers numbers = numbers_here();
     if (document_.format == "msh3")
       read_nodes3(numbers, count, document_);
@@ -203,14 +159,14 @@ class Reader {
       return;
     }
     const std::int64_t count = in_.count("the number of elements", 8);
-    if (binary_) in_.next_line();
+    if (format_.binary) in_.next_line();
     Numbers numbers = numbers_here();
-    read_elements22(numbers, count, document_.format == "msh1" ? ElementTags::v1 : element_tags_, document_,
-                    *index_, sets_, copies_);
+    read_elements22(numbers, count, document_.format == "msh1" ? ElementTags::v1 : format_.element_tags,
+                    document_, *index_, sets_, copies_);
     go_to(numbers.offset());
   }
 
-  // The content of a section that is not read word by word; goes on behind its end.
+  // The content of a section that is not read word by word. Continues behind its end.
   std::string_view verbatim(const std::string& name) {
     const std::string end = "$End" + name;
     const std::size_t start = in_.offset();
@@ -218,10 +174,11 @@ class Reader {
     std::size_t stop = start;
     for (;; ++stop) {
       stop = bytes.find(end, stop);
-      if (stop == std::string_view::npos)  // the place: the section's first line, not the one after it
+      if (stop == std::string_view::npos)  // the place is the line of the section's name, not the next one
         Scanner(file_.path(), bytes, start - 1).fail_in_line(fmt::format("section ${} has no {}", name, end));
       const std::size_t after = stop + end.size();
-      const bool starts_line = binary_ || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
+      const bool starts_line =
+          format_.binary || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
       if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' ')) break;
     }
     go_to(stop + end.size());
@@ -233,12 +190,12 @@ class Reader {
     document_.sections.push_back({.name = name,
                                   .body = std::string(body),
                                   .format = document_.format,
-                                  .binary = binary_,
-                                  .swapped = swapped_,
+                                  .binary = format_.binary,
+                                  .swapped = format_.swapped,
                                   .before_nodes = !has_nodes_});
   }
 
-  // Lines that are taken back when all else is read.
+  // The supplement is joined when all else has been read.
   void supplement() {
     if (!supplement_.empty()) in_.fail_in_line("a second supplement");
     native_part_ = file_.bytes().substr(0, file_.bytes().rfind('$', in_.offset() - 1));
@@ -251,7 +208,7 @@ class Reader {
     if (checksums.size() == 1 && crc32_of(file_, native_part_.size()) == checksums[0].crc32)
       take_back(supplement_, document_.path + ": section $TetproofSupplement", document_);
     else
-      document_.warnings.push_back(outdated_supplement(document_.path));
+      drop_outdated_supplement(document_.path, document_);
   }
 
   void finish() {
@@ -270,12 +227,12 @@ class Reader {
       if (!index_) index_.emplace(document_);
       data_.look_up(document_, *index_, copies_);
     }
-    // In a file of our own that keeps something aside, it is no oddity that elements stand once for each
-    // group.
+    // Our own writer repeats an element for each of its groups. That is no oddity in a file with our
+    // supplement.
     warn_of_oddities(document_, supplement_.empty() ? copies_ : std::vector<ElementTag>{});
   }
 
-  // Elements stood before their nodes.
+  // Looks up nodes again: the elements stood before their nodes.
   void find_late_nodes() {
     std::vector<std::int64_t> unknown;
     unknown.swap(document_.unknown);
@@ -284,7 +241,9 @@ class Reader {
       if (node < 0) node = (*index_)(unknown[-1 - node]);
   }
 
-  Numbers numbers_here(bool text = false) const { return {file_, in_.offset(), binary_ && !text, swapped_}; }
+  Numbers numbers_here(bool text = false) const {
+    return {file_, in_.offset(), format_.binary && !text, format_.swapped};
+  }
   void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
 
   const InputFile& file_;
@@ -295,8 +254,7 @@ class Reader {
   std::string_view supplement_, native_part_;
   MshData data_;
   std::vector<ElementTag> copies_;
-  bool binary_ = false, swapped_ = false;
-  ElementTags element_tags_ = ElementTags::v22;
+  MshFormat format_;
   bool has_nodes_ = false, has_elements_ = false, nodes_came_later_ = false;
 };
 

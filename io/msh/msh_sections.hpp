@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the .msh reader: each reads one section's content and stops in front of its $End.
+// The parts of the .msh reader. Each reads the content of one section and stops in front of its $End.
 #pragma once
 
 #include "io/bytes/large_pages.hpp"
@@ -11,28 +11,42 @@
 
 namespace tetproof::io {
 
+/// How a line tells an element's tags. v1: two numbers. v20 (versions 2.0 and 2.1): the third tag is the
+/// partition. v22: the third tag counts the partitions that follow. v3: the partitions stand behind the
+/// nodes.
+enum class ElementTags { v1, v20, v22, v3 };
+
+// Sections that are text in every file.
+
+/// What $MeshFormat says beside the version.
+struct MshFormat {
+  ElementTags element_tags = ElementTags::v22;
+  bool binary = false,
+       swapped = false;  ///< `swapped`: numbers are of the other byte order than this machine's
+};
+/// Sets `document.format` too.
+MshFormat read_mesh_format(Scanner& in, Document& document);
+void read_physical_names(Scanner& in, Document& document);
+
 // Versions 4.0 and 4.1.
 void read_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
 void read_partitioned_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);
 void read_nodes4(Numbers& in, bool v40, Document& document);
 void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index);
 
-// Version 3; nodes and elements after the line with their number.
+// Version 3. Nodes and elements: after the line with their number.
 void read_entities3(Numbers& in, Document& document, TagSets& sets);
 void read_nodes3(Numbers& in, std::int64_t count, Document& document);
 
 // Versions 1 and 2.0 to 2.2, after the line with the number of nodes.
 void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& document);
 
-/// How a line tells an element's tags: versions 1; 2.0 and 2.1, whose third tag is the partition; 2.2, whose
-/// third tag counts the partitions that follow; 3, where they stand behind the nodes.
-enum class ElementTags { v1, v20, v22, v3 };
-/// After the line with the number of elements. An element that stands once for each of its physical groups
-/// becomes one; `copies` gets the tags of its further appearances.
+/// Versions 1 to 3, after the line with the number of elements. An element that stands in the file once for
+/// each of its physical groups becomes one; `copies` gets the tags of its further appearances.
 void read_elements22(Numbers& in, std::int64_t count, ElementTags tags, Document& document, NodeIndex& index,
                      TagSets& sets, std::vector<ElementTag>& copies);
 
-/// Warns of what is legal, but suspicious in a document that has been read.
+/// Warns of content that is legal but suspicious. The document has been read.
 void warn_of_oddities(Document& document, const std::vector<ElementTag>& copies);
 
 /// Makes room for `more` numbers at the end of `numbers` and returns where they start.
@@ -44,7 +58,7 @@ std::size_t append(std::vector<T>& numbers, std::size_t more) {
   return start;
 }
 
-/// InputError unless `document` has fewer nodes than an Index can number.
+/// InputError if an Index cannot number so many nodes.
 void check_node_count(const Numbers& in, std::size_t nodes);
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Warnings about what a .msh file may say, but hardly means.
+// Warns of content of a .msh file that is legal but probably a mistake.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of a .msh section, the same calls for text and for binary: what the two differ in ends here.
+// Reads the numbers of a .msh section with the same calls for text and for binary.
 #pragma once
 
 #include <bit>
@@ -32,17 +32,18 @@ class Numbers {
   bool binary() const { return binary_; }
   bool swapped() const { return swapped_; }
 
-  /// An int: 4 bytes in binary.
+  /// Reads an int: 4 bytes in binary.
   std::int64_t integer(const char* expected) {
     return binary_ ? raw<std::int32_t>(expected) : text_integer(expected);
   }
-  /// A size_t, which tags are in 4.1: 8 bytes in binary.
+  /// Reads a size_t: 8 bytes in binary. Tags are such in 4.1.
   std::int64_t size(const char* expected) {
     return binary_ ? raw<std::int64_t>(expected) : text_integer(expected, true);
   }
   double real(const char* expected) { return binary_ ? raw<double>(expected) : text_real(expected); }
 
-  /// A size_t that counts things of which each takes at least so many bytes of what is left; else InputError.
+  /// Reads a size_t that is a count. InputError if the rest of the file cannot hold so many things of so many
+  /// bytes.
   std::int64_t count(const char* expected, std::size_t least_text, std::size_t least_binary) {
     const std::int64_t value = size(expected);
     check_count(value, expected, binary_ ? least_binary : least_text);
@@ -100,7 +101,7 @@ class Numbers {
     return value;
   }
 
-  // Signs, and whatever is no integer. `may_wrap`: Gmsh writes a negative size_t as 2^64 less something.
+  // Handles signs and words that are no integers. `may_wrap`: Gmsh writes the size_t -k as 2^64 - k.
   std::int64_t unusual_integer(const char* expected, bool may_wrap);
   double unusual_real(const char* expected);
   [[noreturn]] void fail_short(const char* expected, std::size_t size) const;

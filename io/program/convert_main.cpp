@@ -42,7 +42,9 @@ int convert(const Choices& choices, const program::Common& common) {
 
   const Document document = read_document(choices.in);
   for (const std::string& warning : document.warnings) program::say(common, "warning: " + warning);
-  Json result{{"input", describe_json(document)}};
+  for (const Loss& loss : document.dropped)
+    program::say(common, fmt::format("not read: {}: {} ({})", loss.item, loss.count, loss.example));
+  Json result{{"input", describe_json(document)}, {"dropped", json_of(document.dropped)}};
   if (choices.info) {
     if (common.json != "-") fmt::print("{}", describe_text(document));
     if (!common.json.empty()) program::write_text(common.json, text_of(result));
@@ -57,7 +59,7 @@ int convert(const Choices& choices, const program::Common& common) {
   for (const Loss& item : kept.items)
     program::say(common,
                  fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
-  const bool refused = choices.strict && !lost.empty();
+  const bool refused = choices.strict && !(lost.empty() && document.dropped.empty());
   if (!refused) {
     if (!file.warning().empty()) program::say(common, "warning: " + file.warning());
     file.write();
@@ -70,12 +72,18 @@ int convert(const Choices& choices, const program::Common& common) {
   result["kept_aside"] = json_of(kept.items);
   if (!kept.items.empty()) result["output"]["kept_in"] = kept.where;
   if (!choices.losses_file.empty())
-    program::write_text(choices.losses_file,
-                        text_of(Json{{"losses", result["losses"]}, {"kept_aside", result["kept_aside"]}}));
+    program::write_text(choices.losses_file, text_of(Json{{"dropped", result["dropped"]},
+                                                          {"losses", result["losses"]},
+                                                          {"kept_aside", result["kept_aside"]}}));
   if (!common.json.empty()) program::write_text(common.json, text_of(result));
   if (!refused) return program::sound;
-  program::say(common, fmt::format("{}: not written, since {} of {} would be lost (--strict)", choices.out,
-                                   lost.size() == 1 ? "something" : "several things", choices.in));
+  const std::size_t items = lost.size() + document.dropped.size();
+  program::say(common, fmt::format("{}: not written, since {} of {} {} (--strict)", choices.out,
+                                   items == 1 ? "something" : "several things", choices.in,
+                                   document.dropped.empty() ? "would be lost"
+                                   : !lost.empty()          ? "are not read or would be lost"
+                                   : items == 1             ? "is not read"
+                                                            : "are not read"));
   return program::wrong;
 }
 
@@ -106,9 +114,11 @@ int main(int argc, char** argv) {
             ->type_name("FORMAT");
         auto* ascii = app.add_flag("--ascii", choices->ascii, "write text");
         app.add_flag("--binary", choices->binary, "write binary")->excludes(ascii);
-        app.add_option("--losses", choices->losses_file, "write what is lost as JSON; - is standard output")
+        app.add_option("--losses", choices->losses_file,
+                       "write what is not read or lost as JSON; - is standard output")
             ->type_name("FILE");
-        app.add_flag("--strict", choices->strict, "lose nothing, or exit 1 and write nothing");
+        app.add_flag("--strict", choices->strict,
+                     "lose nothing, in reading and in writing, or exit 1 and write nothing");
         app.add_flag("--info", choices->info, "print what the file holds; no OUT");
         return [choices, &common] { return convert(*choices, common); };
       });

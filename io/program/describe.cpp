@@ -144,6 +144,8 @@ std::string describe_text(const Document& document) {
                         table.name);
   for (const Section& section : document.sections)
     text += fmt::format("{:>10} bytes in section ${}\n", section.body.size(), section.name);
+  for (const Loss& loss : document.dropped)
+    text += fmt::format("{:>10} {}, not read ({})\n", loss.count, loss.item, loss.example);
   return text;
 }
 
@@ -196,6 +198,9 @@ Json describe_json(const Document& document) {
   for (const Section& section : document.sections)
     json["sections"].push_back({{"name", section.name}, {"bytes", section.body.size()}});
   json["warnings"] = document.warnings;
+  json["dropped"] = Json::array();
+  for (const Loss& loss : document.dropped)
+    json["dropped"].push_back({{"item", loss.item}, {"count", loss.count}, {"example", loss.example}});
   return json;
 }
 

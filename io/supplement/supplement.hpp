@@ -51,7 +51,7 @@ std::string supplement_in_comments(const InputFile& file, const std::string& ste
 /// programs.
 bool has_no_element_values(std::string_view lines);
 
-/// Returns the warning for a file that was changed after its supplement was written.
-std::string outdated_supplement(const std::string& path);
+/// Warns of a file that was changed after its supplement was written, and lists the supplement as dropped.
+void drop_outdated_supplement(const std::string& path, Document& native);
 
 }  // namespace tetproof::io

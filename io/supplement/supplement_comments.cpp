@@ -5,6 +5,7 @@
 
 #include "io/bytes/checksum.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/supplement/supplement.hpp"
 
 namespace tetproof::io {
@@ -50,9 +51,10 @@ std::string as_comments(std::string_view lines) {
   return text;
 }
 
-std::string outdated_supplement(const std::string& path) {
-  return fmt::format(
-      "{}: changed since its supplement (names, groups, ...) was written: the supplement is ignored", path);
+void drop_outdated_supplement(const std::string& path, Document& native) {
+  native.warnings.push_back(fmt::format(
+      "{}: changed since its supplement (names, groups, ...) was written: the supplement is ignored", path));
+  add_loss(native.dropped, "outdated supplements", 1, path);
 }
 
 std::string supplement_in_comments(const InputFile& input, const std::string& stem, Document& native) {
@@ -72,7 +74,7 @@ std::string supplement_in_comments(const InputFile& input, const std::string& st
   for (const Checksum& checksum : checksums)
     unchanged = unchanged && is_unchanged(checksum, input, start, stem);
   if (unchanged) return lines;
-  native.warnings.push_back(outdated_supplement(input.path()));
+  drop_outdated_supplement(input.path(), native);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/document_positions.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/supplement/supplement_decoder.hpp"
@@ -273,6 +274,7 @@ std::vector<Checksum> read_supplement_head(std::string_view lines, Document& nat
   if (in.word() != "tetproof" || in.word() != "1") {
     native.warnings.push_back(
         fmt::format("{}: the supplement is of a version that is not known here: it is ignored", native.path));
+    add_loss(native.dropped, "supplements of unknown versions", 1, native.path);
     return {};
   }
   std::vector<Checksum> checksums;

@@ -2,14 +2,14 @@
 // TetGen's files. Facts: its manual, section 5, https://wias-berlin.de/software/tetgen, and versions 1.5
 // and 1.6.
 //
-// A mesh is .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e and .v.node .v.edge .v.face .v.cell
-// of one name, as TetGen's switch -r takes them; what to mesh is .poly or .smesh with .node (if it has no
-// points of its own) .edge .mtr .var, as -p does. A document has of them:
+// A mesh is the files .node .ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e and .v.node .v.edge .v.face
+// .v.cell of one name, as TetGen's switch -r reads them. The input of meshing is .poly or .smesh with .node
+// (if it has no points of its own) .edge .mtr .var, as -p reads them. They become these parts of a document:
 //
 //   .node   points; values of nodes "attributes" (reals), "markers" (integers)
 //   .ele    tetrahedra of type 4 or 11; values "attributes" (reals). Their numbers are the elements' tags
-//   .face   behind them triangles (2 or 9); "markers"; under -nn "neighbours", two tetrahedra each
-//   .edge   behind those lines (1 or 8); "markers"; under -nn "neighbours", one tetrahedron each
+//   .face   triangles (2 or 9), behind the tetrahedra; "markers"; with -nn "neighbours", two tetrahedra each
+//   .edge   lines (1 or 8), behind the triangles; "markers"; with -nn "neighbours", one tetrahedron each
 //   .neigh  "neighbours" of tetrahedra, 4 integers
 //   .t2f    "faces" of tetrahedra, 4 integers; .t2e: "edges", 6; .f2e: "edges" of triangles, 3
 //   .vol    "volume bounds" of tetrahedra (reals, not positive: none)
@@ -17,14 +17,18 @@
 //   .var    area_bounds and length_bounds
 //   .v.*    voronoi
 //   .poly   polygons as elements with `of_boundary`, by their corners: points (15), lines (1), triangles (2),
-//           quadrangles (3), polygons (34); "markers" of them, the same for all polygons of a facet; `facets`
+//           quadrangles (3), polygons (34); their "markers", the same for all polygons of a facet; `facets`
 //           for those with several polygons or holes; holes, regions. Behind them the lines of .edge
 //
-// Where no element has attributes or markers, the first physical group of each is written in their place (0:
-// none), for TetGen to see.
+// Where no element has attributes or markers, the first physical group of each element is written in their
+// place (0: none), so that TetGen sees it.
 //
-// Values stand for a run of elements, `first` being the first of its file. Numbers of elements in integers
-// are what the file says, counted from its first number.
+// Values belong to the elements of one file, and `first` is the first of them. Integers that are numbers of
+// elements are kept as in the file, counted from its first number.
+//
+// Listed as dropped: words behind the columns that are read, lines behind those that a file announces,
+// numbers of faces, edges, holes, ... that do not count up, attributes and markers of Voronoi points, and
+// files that lack the file that they describe. Comments are no data, except for our own supplement.
 #pragma once
 
 #include <memory>

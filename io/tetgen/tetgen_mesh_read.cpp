@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's .node, .ele, .face and .edge.
+// Reads TetGen's .node, .ele, .face and .edge.
 #include <fmt/format.h>
 
 #include <limits>
@@ -14,7 +14,7 @@
 namespace tetproof::io {
 namespace {
 
-// Attributes may be missing in their lines, but not nearly all of them.
+// Lines may lack attributes. But a header with far more attributes than the file has room for is an error.
 void check_attributes(const Records& in, std::int64_t items, std::int64_t each) {
   if (each > 0 && items > 0 && each > static_cast<std::int64_t>(in.remaining()) / items + 4)
     in.fail(fmt::format(
@@ -22,7 +22,8 @@ void check_attributes(const Records& in, std::int64_t items, std::int64_t each) 
         each, in.remaining(), items));
 }
 
-// The words of the first record, which tell the columns that no header tells; the header is read.
+// The number of words in the first record: it shows the columns that the header does not mention. The header
+// has been read.
 int words_of_first(Records& in) {
   const std::size_t behind = in.next_line();
   const int words = in.next() ? in.words() : 0;
@@ -54,7 +55,7 @@ int type_of(const TetgenElementFile& file) {
   }
 }
 
-// Elements of the files after the first, numbered on where its numbers are not those that count up.
+// Numbers the elements of a further file behind those before, where these have numbers of their own.
 void number_on(Document& document, std::size_t first, std::size_t count) {
   std::vector<std::int64_t>& tags = document.element_tags;
   if (tags.empty()) return;
@@ -123,7 +124,7 @@ void read_nodes(Records& in, const TetgenNodeHeader& header, Document& document)
 
 void read_node_file(const std::string& path, Document& document) {
   const InputFile file(path);
-  Records in(file, document.warnings);
+  Records in(file, document);
   read_nodes(in, read_node_header(in), document);
   in.end_file();
 }
@@ -145,8 +146,7 @@ TetgenElementFile read_ele_header(Records& in) {
   return file;
 }
 
-// Behind the corners of a face there may be its 3 nodes of second order, then its marker, then two
-// tetrahedra.
+// Behind the corners of a face there may be its 3 nodes of second order, its marker, and two tetrahedra.
 TetgenElementFile read_face_header(Records& in, int tets) {
   TetgenElementFile file = read_simplex_header(
       in, {.one = "face", .many = "faces", .number = "the number of a face", .corners = 3, .nodes_each = 3},
@@ -160,7 +160,7 @@ TetgenElementFile read_face_header(Records& in, int tets) {
   return file;
 }
 
-// Behind the ends of an edge likewise its middle, its marker, a tetrahedron.
+// Behind the ends of an edge there may be its middle node, its marker, and a tetrahedron.
 TetgenElementFile read_edge_header(Records& in, int others) {
   TetgenElementFile file = read_simplex_header(
       in, {.one = "edge", .many = "edges", .number = "the number of an edge", .corners = 2, .nodes_each = 2},
@@ -193,10 +193,10 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
   resize_in_large_pages(tets.integers, file.count * tets_each);
 
   const std::int64_t base = document.first_node;
-  const bool names = file.corners == 4;  // numbers of tetrahedra are kept
+  const bool names = file.corners == 4;  // only numbers of tetrahedra are kept
   Tags tags(document.element_tags, document.first_element);
   if (first == 0) document.first_element = base;
-  // Nodes of tetrahedra of second order are TetGen's; else there are none that change places.
+  // TetGen lists the nodes of second-order tetrahedra in an order of its own.
   const std::span<const int> order =
       each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   read_rows(in, file.count, file.many, &index, [&](auto& row, std::size_t i) {
@@ -204,7 +204,11 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
     const std::int64_t counted = base + static_cast<std::int64_t>(i);
     if (!row.number(number, counted, file.number)) return false;
     if constexpr (!std::decay_t<decltype(row)>::plain) {
-      if (number != counted) in.warn_of_number(file.one, number, counted);
+      if (number != counted)
+        in.other_number(file.one, number, counted,
+                        names              ? nullptr
+                        : file.corners > 2 ? "numbers of faces"
+                                           : "numbers of edges");
       if (names) tags.add(i, number);
     }
     Index* const mine = document.connectivity.data() + nodes + i * each;
@@ -223,7 +227,7 @@ TetgenElements read_elements(Records& in, const TetgenElementFile& file, NodeInd
       if (!row.integer(tets.integers[i * tets_each + k], "the number of a tetrahedron")) return false;
     return true;
   });
-  in.end_file();
+  in.end_file(names);
   if (!names) number_on(document, first, file.count);
   if (file.count > 0)
     document.blocks.push_back({.type = type_of(file),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the order of TetGen's nodes between corners.
 #include "io/tetgen/tetgen_node_order.hpp"
 
 #include <algorithm>
@@ -8,7 +9,8 @@ namespace tetproof::io {
 namespace {
 
 using Edge = std::array<int, 2>;
-// The edges of a tetrahedron and of a triangle, in the order in which a document has their middle nodes.
+// The edges of a tetrahedron (the first three: of a triangle), in the order of their middle nodes in a
+// document.
 constexpr Edge edges[6] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
 
 bool in_the_middle(const Document& document, Index a, Index b, Index m) {
@@ -33,7 +35,7 @@ bool is_turned(const Document& document, const Index* tet) {
   return fits<6>(document, tet, tet + 4, {0, 2, 1, 5, 4, 3});
 }
 
-// Of each node the edge that it is in the middle of, as the tetrahedra say, which may be curved.
+// For each node the edge that has it as its middle node, according to the tetrahedra, which may be curved.
 std::vector<std::array<Index, 2>> edges_of(const Document& document, const std::vector<TetgenRun>& tets) {
   std::vector<std::array<Index, 2>> edge_of(document.points.size(), {-1, -1});
   for (const TetgenRun& run : tets)
@@ -69,7 +71,7 @@ bool are_turned(const Document& document, const std::vector<TetgenRun>& tets) {
 
 bool have_nodes_opposite_corners(const Document& document, const std::vector<TetgenRun>& faces,
                                  const std::vector<TetgenRun>& tets) {
-  std::vector<std::array<Index, 2>> edge_of;  // not before the first face asks
+  std::vector<std::array<Index, 2>> edge_of;  // filled when the first face asks
   const auto between = [&](Index a, Index b, Index m) {
     if (tets.empty()) return in_the_middle(document, a, b, m);
     if (edge_of.empty()) edge_of = edges_of(document, tets);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's .poly and .smesh: facets of polygons, holes and regions.
+// Reads TetGen's .poly and .smesh: facets of polygons, holes and regions.
 #include <fmt/format.h>
 
 #include <limits>
@@ -68,7 +68,7 @@ class PlcReader {
       in_.fail(fmt::format("{} corners of a polygon are more than 2147483647", corners));
     add_to_block(static_cast<std::int32_t>(corners));
     for (std::int64_t k = 0; k < corners; ++k) {
-      if (!in_.more()) in_.expect_next("a corner of the polygon");  // it goes on in another line
+      if (!in_.more()) in_.expect_next("a corner of the polygon");  // in the next line
       document_.connectivity.push_back(index_(in_.integer("the number of a node")));
     }
     std::int64_t marker = marker_;
@@ -92,10 +92,11 @@ class PlcReader {
   }
 
   void holes(std::int64_t count, const char* expected, std::vector<Eigen::Vector3d>& to) {
+    std::int64_t first = 0;
     for (std::int64_t i = 0; i < count; ++i) {
       in_.end_record();
       in_.expect_next(expected);
-      in_.integer("the number of a hole");
+      in_.list_number("the number of a hole", i, first, "numbers of holes");
       Eigen::Vector3d& point = to.emplace_back();
       for (double& x : point) x = in_.real("a coordinate");
     }
@@ -103,13 +104,14 @@ class PlcReader {
   }
 
   void regions(std::int64_t count) {
+    std::int64_t first = 0;
     for (std::int64_t i = 0; i < count; ++i) {
       in_.end_record();
       in_.expect_next("a region");
-      in_.integer("the number of a region");
+      in_.list_number("the number of a region", i, first, "numbers of regions");
       Region& region = document_.regions.emplace_back();
       for (double& x : region.point) x = in_.real("a coordinate");
-      // One number is both.
+      // A single number is both.
       region.attribute = region.max_volume = in_.real("the attribute of a region");
       if (in_.more()) region.max_volume = in_.real("a volume");
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the files of a set of TetGen's.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -9,6 +10,7 @@
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/mesh_files.hpp"
 #include "io/reading.hpp"
 #include "io/supplement/supplement.hpp"
@@ -20,11 +22,11 @@
 namespace tetproof::io {
 namespace {
 
-// A member of the set that is there, with its records.
+// A file of the set that exists, with its records.
 struct Member {
   InputFile file;
   Records in;
-  Member(const std::string& path, Document& document) : file(path), in(file, document.warnings) {}
+  Member(const std::string& path, Document& document) : file(path), in(file, document) {}
 };
 
 class SetReader {
@@ -79,7 +81,7 @@ class SetReader {
     return std::make_unique<Member>(path, document_);
   }
 
-  // All headers first: they tell how much room is needed.
+  // Reads all headers first: they say how much room is needed.
   void elements(Member* ele, Member* face, Member* edge, bool with_values, NodeIndex& index) {
     std::optional<TetgenElementFile> ele_file, face_file, edge_file;
     if (ele) ele_file = read_ele_header(ele->in);
@@ -108,13 +110,14 @@ class SetReader {
       read_element_integers(member->in, of, many, name, each, has_header, document_);
   }
 
-  // Whether the file is there that another one speaks of.
+  // Whether the file exists whose elements another one describes.
   bool has(const TetgenElements& of, const std::string& ending, const char* needed) const {
     if (of.nodes_each > 0) return true;
     const std::string message = fmt::format("{}: there is no {}{} beside it, without which it means nothing",
                                             set_.member(ending), set_.stem, needed);
     if (ending == set_.ending) throw InputError(message);
     document_.warnings.push_back(message);
+    add_loss(document_.dropped, "files of the set that are not read", 1, set_.member(ending));
     return false;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the reader of TetGen's files, each of which adds to one document.
+// The parts of the reader of TetGen's files. All of them add to one document.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace tetproof::io {
 
-/// Elements of one kind in a document that is being read, and the file that told them.
+/// Elements of one kind in a document that is being read, and their file.
 struct TetgenElements {
   std::string path;
   std::size_t first = 0, count = 0;
@@ -19,18 +19,18 @@ struct TetgenElements {
   int nodes_each = 0;     ///< 0: there is no such file
 };
 
-/// What the first line of a .node, .poly or .smesh says.
+/// The first line of a .node, .poly or .smesh.
 struct TetgenNodeHeader {
   std::int64_t count = 0, attributes = 0;
   bool marked = false;
 };
 TetgenNodeHeader read_node_header(Records&);
-/// The nodes; the document has none yet.
+/// Reads the nodes. The document has none yet.
 void read_nodes(Records&, const TetgenNodeHeader&, Document&);
-/// A .node file.
+/// Reads a .node file.
 void read_node_file(const std::string& path, Document&);
 
-/// An .ele, .face or .edge file whose first line was read, and what it comes to.
+/// The form of an .ele, .face or .edge file whose first line has been read.
 struct TetgenElementFile {
   const char *one, *many;  ///< "tetrahedron", "tetrahedra"
   const char* number;      ///< "the number of a tetrahedron"
@@ -42,22 +42,23 @@ struct TetgenElementFile {
   bool with_values = true;  ///< attributes and markers are kept
 };
 TetgenElementFile read_ele_header(Records&);
-/// `tets`: nodes of each tetrahedron beside it, 0 if there are none; what else the columns may be hangs on
-/// it.
+/// `tets`: the nodes of each tetrahedron in the .ele, 0 if there is none. They decide what the columns may
+/// mean.
 TetgenElementFile read_face_header(Records&, int tets);
-/// `others`: nodes of each tetrahedron, or else 10 or 4 as the faces are of second order or not.
+/// `others`: the nodes of each tetrahedron. Without tetrahedra: 10 if the faces are of second order,
+/// otherwise 4.
 TetgenElementFile read_edge_header(Records&, int others);
 TetgenElements read_elements(Records&, const TetgenElementFile&, NodeIndex&, Document&);
 
-/// Integers, so many for each of the elements, from a file that has a first line (.neigh) or none (.t2f,
-/// .t2e, .f2e).
+/// Reads `each` integers for each of the elements, from a file with a first line (.neigh) or without one
+/// (.t2f, .t2e, .f2e).
 void read_element_integers(Records&, const TetgenElements&, const char* many, const char* name, int each,
                            bool has_header, Document&);
 void read_volume_bounds(Records&, const TetgenElements& tets, Document&);
 void read_sizes(Records&, const std::string& node_path, Document&);
 void read_bounds(Records&, NodeIndex&, Document&);
 
-/// The files `stem`.v.node, .v.edge, .v.face and .v.cell.
+/// Reads the files `stem`.v.node, .v.edge, .v.face and .v.cell.
 void read_voronoi(const std::string& stem, Document&);
 
 /// Reads a .poly or a .smesh; returns whether its points are in the .node at `node_path` (empty: there can be

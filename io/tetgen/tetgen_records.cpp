@@ -6,6 +6,8 @@
 #include <charconv>
 #include <limits>
 
+#include "io/loss/loss_list.hpp"
+
 namespace tetproof::io {
 namespace {
 
@@ -47,7 +49,7 @@ int Records::words() {
 
 std::int64_t Records::integer(const char* expected) {
   if (!more()) fail_missing(expected);
-  std::uint64_t value = 0;  // wraps round harmlessly where there are too many digits
+  std::uint64_t value = 0;  // may wrap; then there are too many digits, and it is not used
   const char* c = at_;
   for (unsigned digit; c < end_ && (digit = static_cast<unsigned char>(*c) - '0') < 10; ++c)
     value = 10 * value + digit;
@@ -84,17 +86,31 @@ void Records::check_count(std::int64_t value, const char* expected, std::int64_t
                      remaining()));
 }
 
+void Records::list_number(const char* expected, std::int64_t i, std::int64_t& first, const char* item) {
+  const std::int64_t number = integer(expected);
+  if (i == 0) first = number == 0 ? 0 : 1;
+  if (number != first + i)
+    add_loss(document_.dropped, item, 1, fmt::format("{} in place of {}", number, first + i));
+}
+
+// Counting lines takes long, so only the first example of a file has one.
 void Records::end_record() {
-  if (warned_of_columns_ || !more()) return;
-  warned_of_columns_ = true;
-  warn("there are more words in the line than are read (the first such)");
+  if (!more()) return;
+  add_loss(document_.dropped, "words behind those that are read in a line", static_cast<std::size_t>(words()),
+           listed_columns_ ? "" : place());
+  listed_columns_ = true;
 }
 
-void Records::end_file() {
-  if (next()) warn("nothing is read from here on: all that the file announces came before");
+void Records::end_file(bool elements) {
+  if (!next()) return;
+  const std::string first = place();
+  std::size_t lines = 1;
+  while (next()) ++lines;
+  add_loss(document_.dropped, "lines behind those that a file announces", lines, first, elements);
 }
 
-void Records::warn_of_number(const char* what, std::int64_t number, std::int64_t counted) {
+void Records::other_number(const char* what, std::int64_t number, std::int64_t counted, const char* item) {
+  if (item) add_loss(document_.dropped, item, 1, fmt::format("{} in place of {}", number, counted));
   if (warned_of_number_) return;
   warned_of_number_ = true;
   warn(fmt::format("{} {} stands where {} {} is due; TetGen goes by the order of the lines (the first such)",
@@ -118,7 +134,7 @@ std::string_view Records::word() {
   return {start, static_cast<std::size_t>(at_ - start)};
 }
 
-// TetGen reads integers as C source does: 0x10 is sixteen, 010 is eight.
+// TetGen reads integers as a C compiler does: 0x10 is sixteen, 010 is eight.
 std::int64_t Records::unusual_integer(const char* expected) {
   const std::string_view text = word();
   std::string_view digits = text;
@@ -149,8 +165,12 @@ void Records::skip_line() {
   if (at_ < end_) ++at_;
 }
 
-void Records::warn(const std::string& message) const {
-  warnings_.push_back(fmt::format("{}:{}: {}", file_.path(), here().line(), message));
+void Records::warn(const std::string& message) {
+  document_.warnings.push_back(fmt::format("{}: {}", place(), message));
+}
+
+std::string Records::place() const {
+  return fmt::format("{}:{}", file_.path(), here().line());
 }
 
 void Records::fail_missing(const char* expected) const {

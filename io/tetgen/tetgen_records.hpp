@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of TetGen's files: a line each, words between blanks and commas, a comment from # on. Long runs of
-// plain ones are read by several threads, and each kind of record is written down once for both ways.
+// Reads records of TetGen's files: one line each, words between blanks and commas, a comment from # on.
+// Comments are no data. Several threads read long runs of plain records. A kind of record is described once
+// for both ways.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ namespace tetproof::io {
 
 class Records {
  public:
-  Records(const InputFile& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {
+  /// `document` gets warnings, and the list of what is dropped.
+  Records(const InputFile& file, Document& document) : file_(file), document_(document) {
     at_ = file.bytes().data();
     end_ = at_ + file.bytes().size();
   }
@@ -27,29 +29,34 @@ class Records {
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - file_.bytes().data()); }
 
-  /// To the first word of the next record; false at the end of the file.
+  /// Goes to the first word of the next record; false at the end of the file.
   bool next();
-  /// Likewise, but the file must have one.
+  /// Does the same, but the file must have a next record.
   void expect_next(const char* expected);
   /// Whether the record has another word.
   bool more();
-  /// How many it has from here on.
+  /// The number of words from here to the record's end.
   int words();
 
   std::int64_t integer(const char* expected);
   double real(const char* expected);
-  /// A count that the rest of the file has room for, at so many bytes each; else InputError.
+  /// Reads a count. InputError if the rest of the file has no room for so many items of so many bytes.
   std::int64_t count(const char* expected, std::int64_t least_bytes_each);
   void check_count(std::int64_t value, const char* expected, std::int64_t least_bytes_each) const;
 
-  /// Warns of words that are left in the record.
-  void end_record();
-  /// Warns of records that are left in the file.
-  void end_file();
-  /// Warns once in this file of an element whose number is not the one that TetGen counts.
-  void warn_of_number(const char* what, std::int64_t number, std::int64_t counted);
+  /// Reads the number of item `i` of a list. TetGen goes by the order of the lines, so the number is dropped.
+  /// It is listed under `item` unless the numbers count up from 0 or 1. `first` is for the calls of one list.
+  void list_number(const char* expected, std::int64_t i, std::int64_t& first, const char* item);
 
-  /// Where the line after the current one begins; the next record is looked for from there.
+  /// Lists words that are left in the record as dropped.
+  void end_record();
+  /// Lists records that are left in the file as dropped. `elements`: they are elements of the mesh.
+  void end_file(bool elements = false);
+  /// Handles an element whose number is not the one that TetGen counts: warns once in this file, and lists it
+  /// as dropped under `item` (null: the number is kept).
+  void other_number(const char* what, std::int64_t number, std::int64_t counted, const char* item);
+
+  /// Goes to the line after the current one. Returns where it begins.
   std::size_t next_line();
   void go_to(std::size_t offset);
 
@@ -59,18 +66,20 @@ class Records {
   std::string_view word();
   std::int64_t unusual_integer(const char* expected);
   void skip_line();
-  void warn(const std::string& message) const;
+  void warn(const std::string& message);
+  std::string place() const;
   Scanner here() const { return Scanner(file_.path(), file_.bytes(), offset()); }
   [[noreturn]] void fail(const char* expected, std::string_view found) const { here().fail(expected, found); }
   [[noreturn]] void fail_missing(const char* expected) const;
 
   const InputFile& file_;
-  std::vector<std::string>& warnings_;
+  Document& document_;
   const char *at_, *end_;
-  bool started_ = false, warned_of_base_ = false, warned_of_columns_ = false, warned_of_number_ = false;
+  bool started_ = false, warned_of_base_ = false, listed_columns_ = false, warned_of_number_ = false;
 };
 
-/// A record as `read_rows` hands it out where lines are plain: everything answers false if it is not so.
+/// A record that `read_rows` passes on where lines are plain. Each function returns false if the line is not
+/// plain.
 class PlainRow {
  public:
   static constexpr bool plain = true;
@@ -93,7 +102,7 @@ class PlainRow {
   const NodeIndex* index_;
 };
 
-/// The same for any record: what the grammar does not permit is an InputError.
+/// The same for any record. InputError for what the grammar does not permit.
 class AnyRow {
  public:
   static constexpr bool plain = false;
@@ -122,9 +131,9 @@ class AnyRow {
   NodeIndex* index_;
 };
 
-/// Reads `count` records, `what` in messages: `read(row, i)` takes the words of record i from a PlainRow or
-/// an AnyRow, and answers whether it could. Nothing but `read`'s own place for record i may be written by it
-/// while rows are plain.
+/// Reads `count` records, called `what` in messages. `read(row, i)` takes the words of record i from a
+/// PlainRow or an AnyRow, and returns whether it could. Several threads call it while rows are plain, so it
+/// may write only to the place of record i.
 template <class Read>
 void read_rows(Records& in, std::size_t count, std::string_view what, NodeIndex* index, const Read& read) {
   const std::size_t start = in.next_line();

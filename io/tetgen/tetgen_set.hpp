@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which files TetGen takes to be one set, by their names.
+// Finds out from names which files are one set to TetGen.
 #pragma once
 
 #include <string>
@@ -11,16 +11,17 @@ struct TetgenPath {
   std::string path, stem, ending;
 
   bool is_plc() const { return ending == ".poly" || ending == ".smesh"; }
-  /// The member of the set with another ending, or this one as it was named.
+  /// The path of the set's file with another ending. The file that was named keeps its spelling.
   std::string member(const std::string& other) const { return other == ending ? path : stem + other; }
 };
-/// The set of a file to be written as "tetgen", "poly" or "smesh": an ending that is none of that format's is
-/// part of the name.
+/// The set of a file that is to be written as "tetgen", "poly" or "smesh". An ending that does not belong to
+/// that format is part of the name.
 TetgenPath tetgen_path_to_write(const std::string& path, const std::string& format);
-/// `.node`, `.edge` and `.face` behind a `.v` are of a Voronoi diagram if there is a `.v.cell` too.
+/// The set of a file that is to be read. NAME.v.node, .v.edge and .v.face belong to a Voronoi diagram if
+/// NAME.v.cell exists.
 TetgenPath tetgen_path(const std::string& path);
 
-/// Whether there is a file.
+/// Whether a file of this path exists.
 bool file_exists(const std::string& path);
 
 }  // namespace tetproof::io

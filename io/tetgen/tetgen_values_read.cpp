@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What TetGen's files say of nodes and elements that others list: .neigh, .t2f, .t2e, .f2e, .vol, .mtr, .var.
+// Reads TetGen's files about nodes and elements that other files list: .neigh, .t2f, .t2e, .f2e, .vol, .mtr,
+// .var.
 #include <fmt/format.h>
 
 #include "io/tetgen/tetgen_read_parts.hpp"
@@ -35,7 +36,7 @@ void read_element_integers(Records& in, const TetgenElements& elements, const ch
               const std::int64_t counted = document.first_node + static_cast<std::int64_t>(i);
               if (!row.number(number, counted, "the number of the line")) return false;
               if constexpr (!std::decay_t<decltype(row)>::plain)
-                if (number != counted) in.warn_of_number("line", number, counted);
+                if (number != counted) in.other_number("line", number, counted, "numbers of lines");
               for (std::size_t k = 0; k < columns; ++k)
                 if (!row.integer(values.integers[i * columns + k], "a number")) return false;
               return true;
@@ -56,7 +57,7 @@ void read_volume_bounds(Records& in, const TetgenElements& tets, Document& docum
     const std::int64_t counted = document.first_node + static_cast<std::int64_t>(i);
     if (!row.number(number, counted, "the number of a tetrahedron")) return false;
     if constexpr (!std::decay_t<decltype(row)>::plain)
-      if (number != counted) in.warn_of_number("tetrahedron", number, counted);
+      if (number != counted) in.other_number("tetrahedron", number, counted, "numbers of lines");
     return row.optional_real(values.reals[i], "a volume");
   });
   in.end_file();
@@ -83,14 +84,15 @@ void read_sizes(Records& in, const std::string& node_path, Document& document) {
   document.node_values.push_back(std::move(values));
 }
 
-// Either section may be missing.
+// Each of the two sections may be missing.
 void read_bounds(Records& in, NodeIndex& index, Document& document) {
   if (!in.next()) return;
   const std::int64_t areas = in.count("the number of bounds of areas", 6);
+  std::int64_t first = 0;
   for (std::int64_t i = 0; i < areas; ++i) {
     in.end_record();
     in.expect_next("a bound of an area");
-    in.integer("the number of a bound");
+    in.list_number("the number of a bound", i, first, "numbers of bounds");
     const std::int64_t marker = in.integer("the marker of a facet");
     document.area_bounds.push_back({marker, in.real("an area")});
   }
@@ -100,7 +102,7 @@ void read_bounds(Records& in, NodeIndex& index, Document& document) {
   for (std::int64_t i = 0; i < lengths; ++i) {
     in.end_record();
     in.expect_next("a bound of a length");
-    in.integer("the number of a bound");
+    in.list_number("the number of a bound", i, first, "numbers of bounds");
     LengthBound bound;
     for (Index& node : bound.nodes) node = index(in.integer("the number of a node"));
     bound.length = in.real("a length");

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell.
+// Reads the Voronoi diagram in TetGen's .v.node, .v.edge, .v.face and .v.cell.
 #include <fmt/format.h>
 
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
 namespace {
 
-// One of the four files: a count, then records that begin with their number.
+// One of these files: a count, then records that begin with their number.
 class Part {
  public:
   Part(const std::string& path, Document& document)
-      : file_(path), in_(file_, document.warnings), first_(document.voronoi.first) {}
+      : file_(path), in_(file_, document), first_(document.voronoi.first) {}
 
   Records& in() { return in_; }
   std::int64_t count(const char* expected, std::int64_t least_bytes_each) {
@@ -22,11 +23,12 @@ class Part {
     in_.end_record();
     return count;
   }
-  void next(const char* number) {
+  // Goes to record `i`.
+  void next(const char* number, std::int64_t i, const char* item) {
     in_.expect_next(number);
-    in_.integer(number);
+    in_.list_number(number, i, first_number_, item);
   }
-  // Positions count from 0; -1 is none.
+  // Positions count from 0; -1: none.
   Index position(const char* expected, std::size_t most, bool may_be_none) {
     const std::int64_t number = in_.integer(expected);
     if (number == -1 && may_be_none) return -1;
@@ -47,7 +49,7 @@ class Part {
  private:
   InputFile file_;
   Records in_;
-  std::int64_t first_;
+  std::int64_t first_, first_number_ = 0;
 };
 
 }  // namespace
@@ -57,9 +59,11 @@ void read_voronoi(const std::string& stem, Document& document) {
   Document nodes;
   read_node_file(stem + ".v.node", nodes);
   document.warnings.insert(document.warnings.end(), nodes.warnings.begin(), nodes.warnings.end());
-  if (!nodes.node_values.empty())
-    document.warnings.push_back(
-        fmt::format("{}.v.node: attributes and markers of Voronoi points are not read", stem));
+  for (const Loss& loss : nodes.dropped)
+    add_loss(document.dropped, loss.item, static_cast<std::size_t>(loss.count), loss.example);
+  for (const Values& values : nodes.node_values)
+    add_loss(document.dropped, fmt::format("{} of Voronoi points", values.name), values.size(),
+             stem + ".v.node");
   voronoi.points = std::move(nodes.points);
   voronoi.first = voronoi.points.empty() ? document.first_node : nodes.first_node;
 
@@ -69,7 +73,7 @@ void read_voronoi(const std::string& stem, Document& document) {
                      face_count = faces.count("the number of faces", 8),
                      cell_count = cells.count("the number of cells", 4);
   for (std::int64_t i = 0; i < edge_count; ++i) {
-    edges.next("the number of an edge");
+    edges.next("the number of an edge", i, "numbers of Voronoi edges");
     Voronoi::Edge edge;
     edge.points[0] = edges.position("a point", voronoi.points.size(), false);
     edge.points[1] = edges.position("a point", voronoi.points.size(), true);
@@ -80,7 +84,7 @@ void read_voronoi(const std::string& stem, Document& document) {
   }
   edges.in().end_file();
   for (std::int64_t i = 0; i < face_count; ++i) {
-    faces.next("the number of a face");
+    faces.next("the number of a face", i, "numbers of Voronoi faces");
     Voronoi::Face face;
     for (Index& cell : face.cells) cell = faces.position("a cell", document.points.size(), false);
     face.edges = faces.list("the number of a face's edges", "an edge", voronoi.edges.size());
@@ -88,7 +92,7 @@ void read_voronoi(const std::string& stem, Document& document) {
   }
   faces.in().end_file();
   for (std::int64_t i = 0; i < cell_count; ++i) {
-    cells.next("the number of a cell");
+    cells.next("the number of a cell", i, "numbers of Voronoi cells");
     voronoi.cells.push_back(cells.list("the number of a cell's faces", "a face", voronoi.faces.size()));
   }
   cells.in().end_file();

@@ -11,11 +11,15 @@
 
 namespace tetproof::io {
 
-/// Reads versions 1 to 5.1, ASCII and binary, which is big-endian. Attributes of points and cells become
-/// values, scalars and colours as any; field data and lookup tables become tables; metadata are skipped. The
-/// cell data "CellEntityIds", as Gmsh calls them (which writes the numbers of physical groups there when it
-/// saves by groups), and "group", "group 2", ... become entities and physical groups; the second line is the
-/// document's title. See `add_vtk_piece` for cells that are not kept as they are.
+/// Reads versions 1 to 5.1, ASCII and binary (which is big-endian), of the data sets UNSTRUCTURED_GRID and
+/// POLYDATA. Attributes of points and cells (SCALARS, VECTORS, COLOR_SCALARS, ...) become values. Field data
+/// and lookup tables become tables. The cell data "CellEntityIds" (where Gmsh writes entities, or the numbers
+/// of physical groups when it saves by groups) and "group", "group 2", ... become entities and physical
+/// groups. The second line is the document's title. See `add_vtk_piece` for cells that are not kept as they
+/// are.
+///
+/// Listed as dropped: the role of an attribute and the name of its lookup table, names of fields, names of
+/// components and information keys in METADATA, and colours that are rounded to bytes.
 Document read_vtk(const InputFile& file);
 
 /// Version 4.2, which VTK 9, Gmsh 4.8 and meshio read. As in .vtu (see there), but entity tags as

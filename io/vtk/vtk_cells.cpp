@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of VTK's cells and Gmsh's elements.
+// The table of VTK's cells and Gmsh's elements. Facts: vtkCellType.h of VTK 9.1.
 #include "io/vtk/vtk_cells.hpp"
+
+#include <utility>
 
 #include "io/model/element_types.hpp"
 
@@ -14,9 +16,23 @@ struct Cell {
 constexpr Cell cells[] = {{15, 1, 1}, {1, 3, 2}, {2, 5, 3}, {3, 9, 4}, {4, 10, 4}, {5, 12, 8}, {6, 13, 6}, {7, 14, 5},
                           {8, 21, 3}, {9, 22, 6}, {16, 23, 8}, {10, 28, 9}, {11, 24, 10}, {17, 25, 20}, {12, 29, 27},
                           {18, 26, 15}, {13, 32, 18}, {19, 27, 13}, {26, 35, 4}};
-// Lagrange's of order 1 and 2, which have the same order of nodes: they are read, not written.
+// Lagrange cells of order 1 and 2 list their nodes in the same order. They are read, not written.
 constexpr Cell lagrange[] = {{1, 68, 2}, {8, 68, 3}, {2, 69, 3}, {9, 69, 6}, {3, 70, 4}, {10, 70, 9}, {4, 71, 4},
                              {11, 71, 10}};
+// Types that documents do not have, or have only for some numbers of nodes.
+constexpr std::pair<int, std::string_view> names[] = {
+    {0, "empty cell"}, {15, "pentagonal prism"}, {16, "hexagonal prism"}, {30, "quadratic linear quad"},
+    {31, "quadratic linear wedge"}, {33, "biquadratic quadratic hexahedron"}, {34, "biquadratic triangle"},
+    {36, "quadratic polygon"}, {37, "triquadratic pyramid"}, {41, "convex point set"}, {42, "polyhedron"},
+    {51, "parametric curve"}, {52, "parametric surface"}, {53, "parametric triangle surface"},
+    {54, "parametric quad surface"}, {55, "parametric tetrahedral region"}, {56, "parametric hexahedral region"},
+    {60, "higher-order edge"}, {61, "higher-order triangle"}, {62, "higher-order quad"},
+    {63, "higher-order polygon"}, {64, "higher-order tetrahedron"}, {65, "higher-order wedge"},
+    {66, "higher-order pyramid"}, {67, "higher-order hexahedron"}, {68, "Lagrange curve"},
+    {69, "Lagrange triangle"}, {70, "Lagrange quadrilateral"}, {71, "Lagrange tetrahedron"},
+    {72, "Lagrange hexahedron"}, {73, "Lagrange wedge"}, {74, "Lagrange pyramid"}, {75, "Bezier curve"},
+    {76, "Bezier triangle"}, {77, "Bezier quadrilateral"}, {78, "Bezier tetrahedron"}, {79, "Bezier hexahedron"},
+    {80, "Bezier wedge"}, {81, "Bezier pyramid"}};
 // clang-format on
 
 // The type of VTK's linear cell of a shape.
@@ -46,6 +62,12 @@ int gmsh_type_of_cell(std::int64_t vtk, std::size_t nodes) {
   for (const Cell& cell : lagrange)
     if (is_it(cell)) return cell.gmsh;
   return 0;
+}
+
+std::string_view name_of_cell(std::int64_t vtk) {
+  for (const auto& [type, name] : names)
+    if (type == vtk) return name;
+  return "no known type";
 }
 
 bool has_fixed_size(std::int64_t vtk) {

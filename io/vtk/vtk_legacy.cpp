@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arrays and cells of VTK's legacy files, number by number.
+// Reads arrays and cells of VTK's legacy files number by number.
 #include "io/vtk/vtk_legacy.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/tokens.hpp"
@@ -64,7 +65,8 @@ void VtkLegacyScanner::integers(Column& column, std::size_t count) {
   numbers(column, count);
 }
 
-// A line each, or in binary: the first two bits tell how many bits say the length, 6, 14, 30 or 62.
+// In text each text is a line. In binary the first two bits say how many bits hold the length: 6, 14, 30 or
+// 62.
 void VtkLegacyScanner::texts(Column& column, std::size_t count) {
   next_line();
   for (std::size_t i = 0; i < count; ++i) {
@@ -82,14 +84,21 @@ void VtkLegacyScanner::texts(Column& column, std::size_t count) {
   }
 }
 
-void VtkLegacyScanner::colors(Column& column, std::size_t count) {
-  if (binary_) return numbers(column, count);
+std::size_t VtkLegacyScanner::colors(Column& column, std::size_t count) {
+  if (binary_) {
+    numbers(column, count);
+    return 0;
+  }
+  std::size_t rounded = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double value = real("a colour from 0 to 1");
     if (!(value >= 0 && value <= 1))
       fail_in_line(fmt::format("expected a colour from 0 to 1, found {}", value));
-    column.integers.push_back(static_cast<std::int64_t>(value * 255 + 0.5));
+    const double nearest = std::floor(value * 255 + 0.5);
+    rounded += std::abs(value * 255 - nearest) > 1e-3;
+    column.integers.push_back(static_cast<std::int64_t>(nearest));
   }
+  return rounded;
 }
 
 void VtkLegacyScanner::check_room(std::size_t items, std::size_t each) const {

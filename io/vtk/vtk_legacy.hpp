@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What VTK's legacy files consist of, in text and in binary: words, arrays of numbers or texts, and lists of
-// cells.
+// The parts of VTK's legacy files, text and binary: words, arrays of numbers or texts, and lists of cells.
 #pragma once
 
 #include <string>
@@ -13,7 +12,7 @@
 namespace tetproof::io {
 
 /// Reads the parts of a legacy file one after the other. InputError, with the place, for what the format does
-/// not permit. The scanner is everyone's: what is simple is read from it.
+/// not permit. Simple parts are read with the functions of Scanner.
 class VtkLegacyScanner : public Scanner {
  public:
   explicit VtkLegacyScanner(const InputFile& file) : Scanner(file) {}
@@ -22,23 +21,25 @@ class VtkLegacyScanner : public Scanner {
   void set_binary() { binary_ = true; }
   bool binary() const { return binary_; }
 
-  /// In small letters and without a step: binary data may begin with what would be skipped as blanks.
+  /// The word that follows, in lower case. The scanner stays where it is, because binary data may follow, and
+  /// their first bytes may look like blanks.
   std::string next_word() const;
-  /// A word that names the type of numbers, as .vtu files call it (or "bit").
+  /// Reads a word that names a type of numbers. Returns the type's name in .vtu files, or "bit".
   std::string type();
   int components();
 
-  /// Appends `count` values of `column.type`, which begin in the next line.
+  /// Appends `count` values of `column.type`. They begin in the next line.
   void numbers(Column& column, std::size_t count);
-  /// The same, if these are integers.
+  /// Does the same, but refuses a type that is not of integers.
   void integers(Column& column, std::size_t count);
-  /// Reals from 0 to 1 in text, bytes in binary: bytes in either case to VTK.
-  void colors(Column& column, std::size_t count);
-  /// That `items` times `each` values can follow: they need bytes, or bits.
+  /// Appends `count` colours as bytes, as VTK has them. Text gives them as reals from 0 to 1. Returns how
+  /// many of these are no multiple of 1/255, to six digits, and so were rounded.
+  std::size_t colors(Column& column, std::size_t count);
+  /// Checks that `items` times `each` values can follow: each needs a bit at least.
   void check_room(std::size_t items, std::size_t each) const;
 
-  /// A list of cells, either of so many numbers each or, since version 5.1, as offsets and connectivity.
-  /// `ends`: of each cell in `connectivity`.
+  /// Reads a list of cells: each with its number of points in front or, since version 5.1, as offsets and
+  /// connectivity. `ends` gets the end of each cell in `connectivity`.
   void cells(std::vector<std::int64_t>& connectivity, std::vector<std::int64_t>& ends);
 
  private:

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document from what VTK's files say.
+// Makes a document of the cells and arrays of VTK's files.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <unordered_map>
 
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 #include "io/model/tag_sets.hpp"
@@ -15,6 +17,34 @@
 
 namespace tetproof::io {
 namespace {
+
+// Cells of one type of which something is dropped.
+struct Dropped {
+  std::size_t count = 0, first = 0, nodes_of_first = 0;
+};
+
+std::string item_of(std::int64_t type) {
+  switch (type) {
+    case vtk_poly_vertex:
+      return "cells of several vertices, kept as points";
+    case vtk_poly_line:
+      return "polylines, kept as lines";
+    case vtk_strip:
+      return "triangle strips, kept as triangles";
+    case vtk_pixel:
+      return "pixels, kept as quadrangles";
+    case vtk_voxel:
+      return "voxels, kept as hexahedra";
+    default:
+      return fmt::format("cells of type {} ({})", type, name_of_cell(type));
+  }
+}
+
+// Whether the mesh lacks elements without such cells, of which something is dropped. An empty cell is none.
+bool is_element_lost(std::int64_t type) {
+  return type != 0 && type != vtk_poly_vertex && type != vtk_poly_line && type != vtk_strip &&
+         type != vtk_pixel && type != vtk_voxel;
+}
 
 class Adder {
  public:
@@ -79,14 +109,21 @@ class Adder {
       start = end;
     }
     if (start != static_cast<std::int64_t>(piece_.connectivity.size()))
-      document_.warnings.push_back(fmt::format("{}: {} numbers of points after those of the last cell",
-                                               document_.path, piece_.connectivity.size() - start));
-    for (const auto& [type, cells] : left_out_)
-      document_.warnings.push_back(
-          fmt::format("{}: cells of VTK's type {} are left out: {}", document_.path, type, cells));
-    const bool one_to_one = origin_.size() == count && left_out_.empty() && !split_;
+      add_loss(document_.dropped, "numbers of points behind those of the last cell",
+               piece_.connectivity.size() - static_cast<std::size_t>(start),
+               fmt::format("{}{}", piece_.connectivity[static_cast<std::size_t>(start)], piece_.which));
+    for (const auto& [type, cells] : dropped_)
+      add_loss(document_.dropped, item_of(type), cells.count,
+               fmt::format("cell {}{}, {} points", cells.first, piece_.which, cells.nodes_of_first),
+               is_element_lost(type));
+    const bool one_to_one = origin_.size() == count && !left_out_ && !split_;
     if (one_to_one) origin_.clear();
     changed_ = !one_to_one;
+  }
+
+  void drop(std::size_t c, std::size_t nodes) {
+    Dropped& dropped = dropped_[piece_.types[c]];
+    if (dropped.count++ == 0) dropped.first = c, dropped.nodes_of_first = nodes;
   }
 
   void cell(std::size_t c, std::span<const std::int64_t> nodes) {
@@ -101,7 +138,10 @@ class Adder {
     if (type == vtk_poly_vertex || type == vtk_poly_line || type == vtk_strip) {
       const std::size_t least = type == vtk_poly_vertex ? 1 : type == vtk_poly_line ? 2 : 3;
       if (n < least) fail(fmt::format("cell {}: expected {} points or more, found {}", c, least, n));
-      split_ = split_ || n != least;
+      if (n != least) {
+        split_ = true;
+        drop(c, n);
+      }
       for (std::size_t i = 0; i + least <= n; ++i)
         if (type == vtk_poly_vertex)
           part(point1, {i});
@@ -115,13 +155,20 @@ class Adder {
     }
     if (type == vtk_polygon && n > 0)
       return element(c, n == 3 ? triangle3 : n == 4 ? quadrangle4 : polygon, nodes);
-    if (type == vtk_pixel && n == 4) return part(quadrangle4, {0, 1, 3, 2});
-    if (type == vtk_voxel && n == 8) return part(5, {0, 1, 3, 2, 4, 5, 7, 6});
+    if (type == vtk_pixel && n == 4) {
+      drop(c, n);
+      return part(quadrangle4, {0, 1, 3, 2});
+    }
+    if (type == vtk_voxel && n == 8) {
+      drop(c, n);
+      return part(5, {0, 1, 3, 2, 4, 5, 7, 6});
+    }
     const int gmsh = gmsh_type_of_cell(type, n);
     if (gmsh != 0) return element(c, gmsh, nodes);
     if (has_fixed_size(type))
       fail(fmt::format("cell {}: a cell of VTK's type {} does not have {} points", c, type, n));
-    ++left_out_[type];
+    left_out_ = true;
+    drop(c, n);
   }
 
   void element(std::size_t c, int type, std::span<const std::int64_t> nodes) {
@@ -166,7 +213,7 @@ class Adder {
     return place->second;
   }
 
-  // `origin`: the item whose values each one has; empty: its own.
+  // `origin`: for each item of the document, the item of the piece that has its values; empty: the same.
   void add_values(std::vector<Values>& to, Column&& column, std::size_t first, std::size_t items,
                   const std::vector<std::uint32_t>& origin) {
     const auto each = static_cast<std::size_t>(column.components);
@@ -182,6 +229,7 @@ class Adder {
         column.integers.push_back(place->second);
       }
     }
+    if (column.type == "UInt64") count_wrapped(column, values.name);
     const auto pick = [&](auto& from) {
       if (!changed_ || &to == &document_.node_values) return std::move(from);
       std::remove_cvref_t<decltype(from)> picked;
@@ -192,7 +240,7 @@ class Adder {
     };
     values.reals = pick(column.reals);
     values.integers = pick(column.integers);
-    // The same array of the piece before goes on here.
+    // The array of the previous piece continues here.
     for (Values& before : to)
       if (before.name == values.name && before.components == values.components && first > 0 &&
           before.first + before.items() == first && before.labels.empty() && values.labels.empty() &&
@@ -205,6 +253,15 @@ class Adder {
     to.push_back(std::move(values));
   }
 
+  void count_wrapped(const Column& column, const std::string& name) {
+    const auto negative = [](std::int64_t value) { return value < 0; };
+    const auto first = std::find_if(column.integers.begin(), column.integers.end(), negative);
+    if (first == column.integers.end()) return;
+    add_loss(document_.dropped, "integers of 2^63 or more, kept as negative ones",
+             static_cast<std::size_t>(std::count_if(first, column.integers.end(), negative)),
+             fmt::format("{} of \"{}\"", static_cast<std::uint64_t>(*first), name));
+  }
+
   Document& document_;
   VtkPiece& piece_;
   const bool whole_;
@@ -215,12 +272,17 @@ class Adder {
   std::vector<std::vector<std::int64_t>> groups_;
   std::span<const int> order_;
   std::vector<std::uint32_t> origin_;  // the cell of each element
-  bool split_ = false, changed_ = false;
-  std::map<std::int64_t, std::int64_t> left_out_;
+  bool split_ = false, left_out_ = false, changed_ = false;
+  std::map<std::int64_t, Dropped> dropped_;  // by VTK's type
   std::unordered_map<std::int64_t, Index> unknown_;
 };
 
 }  // namespace
+
+bool is_array_of_tags(const std::string& name) {
+  if (name == "entity" || name == "CellEntityIds" || name == "group") return true;
+  return name.starts_with("group ") && name.find_first_not_of("0123456789", 6) == std::string::npos;
+}
 
 void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole) {
   Adder(document, piece, whole).add();

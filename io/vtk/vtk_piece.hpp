@@ -10,23 +10,27 @@
 
 namespace tetproof::io {
 
-/// Cells and arrays in VTK's terms, read from a file and not yet checked.
+/// Cells and arrays in VTK's terms, as they stand in a file and not yet checked.
 struct VtkPiece {
   std::vector<Eigen::Vector3d> points;
-  std::vector<std::int64_t> connectivity, ends;  ///< `ends`: of each cell in `connectivity`
+  std::vector<std::int64_t> connectivity, ends;  ///< cell c ends at `ends[c]` in the connectivity
   std::vector<std::int64_t> types;
   std::vector<Column> point_data, cell_data;
+  std::string which;  ///< of a file with several pieces: " of piece 2", for messages
 };
 
-/// Appends a piece to the document. Polylines, strips, and cells of many vertices become as many elements as
-/// they have parts; pixels and voxels quadrangles and hexahedra. Cells of types that no document has
-/// (polyhedra, elements of order 3 and more) are left out with a warning. Cell data "entity" (or
-/// "CellEntityIds", as Gmsh calls it) and "group", "group 2", ... become what their names say; strings become
-/// integers with labels. `whole`: the file has this piece only, and numbers that no point has are kept.
-/// InputError naming the cell where numbers contradict each other.
+/// Appends a piece to the document. A polyline, a strip or a cell of many vertices becomes one element for
+/// each of its parts. Pixels and voxels become quadrangles and hexahedra. Cells of types that no document has
+/// (polyhedra, elements of order 3 and more) are left out. All of these are listed as dropped. The cell data
+/// "entity" (or "CellEntityIds", Gmsh's name for it) and "group", "group 2", ... become entities and physical
+/// groups. Strings become integers with labels. `whole`: the file has only this piece. Then cells keep
+/// numbers that no point has. InputError, naming the cell, where numbers contradict each other.
 void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole);
 
-/// An array of neither points nor cells: a table with one column of the same name.
+/// Appends an array that belongs to neither points nor cells: a table with one column of the same name.
 void add_vtk_field(Document& document, Column&& column);
+
+/// Whether cell data of this name become entities or groups, if they are integers.
+bool is_array_of_tags(const std::string& name);
 
 }  // namespace tetproof::io

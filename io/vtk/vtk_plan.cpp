@@ -12,6 +12,7 @@
 #include "io/model/element_types.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_types.hpp"
 
 namespace tetproof::io {
@@ -53,12 +54,6 @@ std::optional<HeldNumbers> held_numbers(const Document& document, const Values& 
   return any ? std::optional(held) : std::nullopt;
 }
 
-// The names of cell data that the reader takes for entities and groups.
-bool is_ours(const std::string& name) {
-  if (name == "entity" || name == "CellEntityIds" || name == "group") return true;
-  return name.starts_with("group ") && name.find_first_not_of("0123456789", 6) == std::string::npos;
-}
-
 bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
@@ -82,7 +77,7 @@ class Names {
  public:
   std::string operator()(const std::string& wanted, bool of_cells = false) {
     std::string name = wanted.empty() ? "values" : wanted;
-    for (int k = 2; (of_cells && is_ours(name)) || !taken_.insert(name).second; ++k)
+    for (int k = 2; (of_cells && is_array_of_tags(name)) || !taken_.insert(name).second; ++k)
       name = fmt::format("{} #{}", wanted.empty() ? "values" : wanted, k);
     return name;
   }

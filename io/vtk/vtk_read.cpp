@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sections of VTK's legacy files: points, cells, and their data.
+// Reads the sections of VTK's legacy files: points, cells, and their data.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "io/bytes/tokens.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_legacy.hpp"
 #include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_words.hpp"
@@ -53,7 +55,7 @@ class Reader {
     const std::string name = lower_case(word);
     if (name == "dataset") return dataset();
     if (name == "field") return field();
-    if (name == "metadata") return metadata();
+    if (name == "metadata") return read_vtk_metadata(in_, last_array_, document_.dropped);
     if (name == "point_data" || name == "cell_data") {
       items_ = in_.integer("a number of items");
       if (items_ < 0) in_.fail_in_line(fmt::format("expected a number of items, found {}", items_));
@@ -78,6 +80,7 @@ class Reader {
   }
 
   void dataset() {
+    if (has_dataset_) in_.fail_in_line("a second DATASET");
     const std::string_view word = in_.word();
     const std::string kind = lower_case(word);
     if (kind != "unstructured_grid" && kind != "polydata") in_.fail("UNSTRUCTURED_GRID or POLYDATA", word);
@@ -85,6 +88,7 @@ class Reader {
   }
 
   void points() {
+    if (has_points_) in_.fail_in_line("a second POINTS");
     const std::int64_t count = in_.count("the number of points", in_.binary() ? 3 : 6);
     if (count > std::numeric_limits<Index>::max())
       in_.fail_in_line(fmt::format("{} points are more than the {} that can be numbered here", count,
@@ -93,12 +97,14 @@ class Reader {
     if (coordinates.type == "String" || coordinates.type == "bit") in_.fail_in_line("points are numbers");
     in_.numbers(coordinates, 3 * static_cast<std::size_t>(count));
     has_points_ = true;
+    last_array_ = "POINTS";
     piece_.points.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < 3 * piece_.points.size(); ++i)
       piece_.points[i / 3][static_cast<Eigen::Index>(i % 3)] = number_at<double>(coordinates, i);
   }
 
   void cell_types() {
+    if (!types_.empty()) in_.fail_in_line("a second CELL_TYPES");
     const std::int64_t count = in_.count("the number of cell types", 1);
     Column types{.type = "Int32"};
     in_.integers(types, static_cast<std::size_t>(count));
@@ -108,7 +114,7 @@ class Reader {
           fmt::format("expected the types of {} cells, found {}", piece_.ends.size(), types_.size()));
   }
 
-  // Vertices, lines, polygons and strips, which is the order that cell data go by.
+  // Appends vertices, lines, polygons and strips: the cell data come in this order.
   void polygons() {
     for (const VtkCellType type : {vtk_poly_vertex, vtk_poly_line, vtk_polygon, vtk_strip})
       for (const List& list : lists_) {
@@ -136,28 +142,53 @@ class Reader {
     if (kind == std::end(kinds)) in_.fail("an attribute of points or cells", word);
     Column column{.name = vtk_decoded(in_.word())};
     column.components = kind->components;
-    if (name == "color_scalars") return colors(column);
+    if (name == "color_scalars") {
+      add_role(column.name, word);
+      return colors(column);
+    }
     if (kind->components == 0) column.components = in_.components();
     column.type = in_.type();
     if (name == "scalars") {
       if (!in_.at_line_end()) column.components = in_.components();
       if (in_.next_word() == "lookup_table") {
         in_.word();
-        in_.word();
+        table_of(column.name, in_.word());
       }
     }
     in_.numbers(column, size_of_data(column));
+    add_role(column.name, word);
+    take(std::move(column));
+  }
+
+  // Arrays of entities and groups become what they say, and have no use for a role.
+  void add_role(const std::string& array, std::string_view role) {
+    if (data_ == &piece_.cell_data && is_array_of_tags(array)) return;
+    add_vtk_role(document_.dropped, array, role);
+  }
+
+  void table_of(const std::string& array, std::string_view table) {
+    if (lower_case(table) != "default")
+      add_loss(document_.dropped, "lookup tables of values", 1,
+               fmt::format("\"{}\" of \"{}\"", vtk_decoded(table), array));
+  }
+
+  void take(Column&& column) {
+    last_array_ = column.name;
     data_->push_back(std::move(column));
   }
 
   void colors(Column& column) {
     column.components = in_.components();
     column.type = "UInt8";
-    in_.colors(column, size_of_data(column));
-    data_->push_back(std::move(column));
+    add_rounded(column.name, in_.colors(column, size_of_data(column)));
+    take(std::move(column));
   }
 
-  // How many values the points or cells have in a column, which the rest of the file can hold.
+  void add_rounded(const std::string& array, std::size_t colors) {
+    add_loss(document_.dropped, "colours, rounded to bytes", colors, fmt::format("\"{}\"", array));
+  }
+
+  // The number of values that the points or cells have in a column. The rest of the file can hold them.
   std::size_t size_of_data(const Column& column) const {
     const auto each = static_cast<std::size_t>(column.components), items = static_cast<std::size_t>(items_);
     in_.check_room(items, each);
@@ -167,17 +198,20 @@ class Reader {
   void lookup_table() {
     Column column{.name = vtk_decoded(in_.word()), .type = "UInt8", .components = 4};
     const std::int64_t size = in_.count("the size of a lookup table", 4);
-    in_.colors(column, 4 * static_cast<std::size_t>(size));
+    add_rounded(column.name, in_.colors(column, 4 * static_cast<std::size_t>(size)));
+    last_array_ = column.name;
     add_vtk_field(document_, std::move(column));
   }
 
   void field() {
-    in_.word();  // the field's name, which no one uses
+    const std::string name = vtk_decoded(in_.word());  // "FieldData" is what VTK writes
+    if (lower_case(name) != "fielddata")
+      add_loss(document_.dropped, "names of fields", 1, fmt::format("\"{}\"", name));
     const std::int64_t arrays = in_.count("the number of arrays", 4);
     for (std::int64_t a = 0; a < arrays; ++a) {
       std::string_view word = in_.word();
       while (lower_case(word) == "metadata") {
-        metadata();
+        read_vtk_metadata(in_, last_array_, document_.dropped);
         word = in_.word();
       }
       if (word.empty()) in_.fail("the name of an array", word);
@@ -192,20 +226,15 @@ class Reader {
       column.type = in_.type();
       in_.check_room(static_cast<std::size_t>(items), static_cast<std::size_t>(each));
       in_.numbers(column, static_cast<std::size_t>(each * items));
+      last_array_ = column.name;
       if (!data_)
         add_vtk_field(document_, std::move(column));
       else if (items == items_)
-        data_->push_back(std::move(column));
+        take(std::move(column));
       else
         in_.fail_in_line(
             fmt::format("array \"{}\": expected {} tuples, found {}", column.name, items_, items));
     }
-  }
-
-  // Up to an empty line.
-  void metadata() {
-    in_.next_line();
-    while (in_.remaining() > 0 && !in_.ends_line()) in_.next_line();
   }
 
   void check_data(const std::vector<Column>& data, std::size_t items, const char* what) const {
@@ -229,6 +258,7 @@ class Reader {
   std::vector<List> lists_;
   std::vector<Column>* data_ = nullptr;
   std::int64_t items_ = 0;
+  std::string last_array_;  // METADATA are about this one
 };
 
 }  // namespace

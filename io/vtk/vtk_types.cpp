@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Types of VTK's numbers: their sizes, and what fits them.
+// Sizes of VTK's types of numbers, and which values fit them.
 #include "io/vtk/vtk_types.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arrays as VTK's two file formats have them. Types of numbers go by the names that .vtu files use: Int8 to
-// UInt64, Float32, Float64, and String.
+// The arrays of VTK's two file formats. Types have the names that .vtu files use: Int8 to UInt64, Float32,
+// Float64, and String.
 #pragma once
 
 #include <bit>
@@ -12,20 +12,21 @@
 
 namespace tetproof::io {
 
-/// Bytes of a number; 0: no such type, or String.
+/// The bytes of a number; 0 for String and for unknown types.
 std::size_t vtk_type_size(std::string_view type);
 bool is_vtk_type(std::string_view type);
 bool is_real_type(std::string_view type);
 
-/// How many values a column has.
+/// The number of values in a column.
 inline std::size_t column_size(const Column& column) {
   return column.reals.size() + column.integers.size() + column.texts.size();
 }
 
-/// Appends `count` numbers of `column.type` to its reals or integers. UInt64 beyond 2^63 wraps to negative.
+/// Appends `count` numbers of `column.type` to its reals or integers. UInt64 values of 2^63 and more become
+/// negative.
 void append_numbers(const char* from, std::size_t count, std::endian order, Column& column);
 
-/// Whether every value of the column is one of its type, so that writing it as such keeps it.
+/// Whether the column's type can hold all of its values, so that they can be written with this type.
 bool fits_its_type(const Column& column);
 
 /// A value of the column as a number of C++ type T.
@@ -34,7 +35,7 @@ T number_at(const Column& column, std::size_t i) {
   return column.reals.empty() ? static_cast<T>(column.integers[i]) : static_cast<T>(column.reals[i]);
 }
 
-/// Calls `with(T{})` for the C++ type that `type` names, which is one of numbers.
+/// Calls `with(T{})` for the C++ type that `type` names. It must be a type of numbers.
 template <class With>
 void with_number_type(std::string_view type, const With& with) {
   if (type == "Float64") return with(double{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of VTK's types of numbers, and codes in names.
+// The table of VTK's types of numbers, and the codes in names.
 #include "io/vtk/vtk_words.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace tetproof::io {
 namespace {
 
-// The first of a type is what is written. An id is of 32 bits in files.
+// The first word of a type is written. An id has 32 bits in files.
 // clang-format off
 constexpr std::pair<std::string_view, std::string_view> types[] = {
     {"bit", "bit"}, {"char", "Int8"}, {"signed_char", "Int8"}, {"unsigned_char", "UInt8"}, {"short", "Int16"},
@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> types[] = {
     {"string", "String"}, {"utf8_string", "String"}};
 // clang-format on
 
-// Of a hexadecimal digit; -1: it is none.
+// The value of a hexadecimal digit; -1 for other characters.
 int digit(char c) {
   return c >= '0' && c <= '9'   ? c - '0'
          : c >= 'a' && c <= 'f' ? c - 'a' + 10

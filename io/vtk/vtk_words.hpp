@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of VTK's legacy files: types of numbers, and names and texts in which a code stands for what
-// would end a word.
+// The words of VTK's legacy files: types of numbers, and names and texts with codes for characters that would
+// end a word.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace tetproof::io {
 
-/// The name that .vtu files have for a type (see io/vtk/vtk_types.hpp), "bit" for bits; empty: no type.
-/// `word` in any case.
+/// The name in .vtu files of the type that `word` (in any case) names, see io/vtk/vtk_types.hpp; "bit" for
+/// bits; empty for no type.
 std::string type_of_vtk_word(std::string_view word);
-/// The other way.
+/// The word that a legacy file has for such a type.
 std::string_view vtk_word_of_type(std::string_view type);
 
-/// A name or text without blanks, line ends and what is not ASCII: a blank is %20.
+/// Encodes a name or text as one word: blanks, line ends and bytes that are not ASCII become codes such as
+/// %20.
 std::string vtk_encoded(std::string_view text);
-/// The other way, of capital and small letters.
+/// Decodes such a word. The digits of its codes may be in upper or lower case.
 std::string vtk_decoded(std::string_view word);
 
 }  // namespace tetproof::io

@@ -10,10 +10,15 @@
 
 namespace tetproof::io {
 
-/// Reads ASCII, base64 and appended data, compressed by zlib or not, of both byte orders; pieces are put one
-/// after the other. Point and cell data become values, field data a table for each array; the cell data
+/// Reads ASCII, base64 and appended data of both byte orders, compressed by zlib or not. Pieces are put one
+/// after the other. Point and cell data become values, and field data a table for each array. The cell data
 /// "entity" (or "CellEntityIds") and "group", "group 2", ... become entities and physical groups. Nodes and
-/// cells count from 0. See `add_vtk_piece` for the cells that are not kept as they are.
+/// cells are numbered from 0. See `add_vtk_piece` for the cells that are not kept as they are.
+///
+/// Everything else is listed as dropped: roles of arrays (Scalars="..."), names of components, information
+/// keys, the division into pieces, and elements and attributes that this reader does not know. Not dropped is
+/// what follows from the values (ranges) and what only encodes them (the type of numbers, their byte order).
+/// XML comments are no data.
 Document read_vtu(const InputFile& file);
 
 /// Coordinates as Float64, integers as Int64; base64 if `binary`. Values become point and cell data, entity

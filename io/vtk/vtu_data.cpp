@@ -19,14 +19,14 @@
 namespace tetproof::io {
 namespace {
 
-// Bytes of the file, raw or in base64. VTK encodes header and data in one go or each by itself, so that
-// padding may stand in between.
+// Bytes of the file, raw or in base64. VTK encodes header and data together or separately, so there may be
+// padding between them.
 class Source {
  public:
   Source(const VtuEncoding& file, const VtuPlace& place)
       : file_(file), base64_(place.kind == VtuPlace::base64), at_(place.begin), end_(place.end) {}
 
-  /// The next `size` bytes, until the next call.
+  /// The next `size` bytes, valid until the next call.
   std::string_view take(std::uint64_t size, const char* what) {
     const std::uint64_t most = base64_ ? rest_.size() + (end_ - at_) / 4 * 3 + 3 : end_ - at_;
     if (size > most) fail(fmt::format("expected {} bytes of {}, found {} at most", size, what, most));
@@ -50,9 +50,12 @@ class Source {
                                   : load<std::uint32_t>(bytes.data(), file_.order);
   }
 
-  bool empty() {
+  bool empty() { return left() == 0; }
+
+  /// The bytes that were not taken, as they stand in the file, without blanks in front of base64.
+  std::size_t left() {
     while (base64_ && at_ < end_ && static_cast<unsigned char>(file_.bytes[at_]) <= ' ') ++at_;
-    return at_ == end_ && rest_.empty();
+    return end_ - at_ + rest_.size();
   }
 
   [[noreturn]] void fail(std::string_view message) const {
@@ -60,7 +63,7 @@ class Source {
   }
 
  private:
-  // Four characters to three bytes or, where they end in =, to less.
+  // Decodes four characters to three bytes, or to fewer where they end in =.
   bool decode_quad() {
     static constexpr auto values = [] {
       std::array<signed char, 256> table{};
@@ -111,7 +114,7 @@ class Sink {
         c == '\0' ? column_.texts.push_back(std::move(text_)), text_.clear() : text_.push_back(c);
       return;
     }
-    while (!half_.empty() && !bytes.empty()) {  // a number over the border of two blocks
+    while (!half_.empty() && !bytes.empty()) {  // a number that is split between two blocks
       half_ += bytes.front();
       bytes.remove_prefix(1);
       if (half_.size() < size) continue;
@@ -148,7 +151,7 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
   std::vector<std::uint64_t> sizes(blocks);
   for (std::uint64_t& size : sizes) size = source.number("a compressed block's size");
   const std::uint64_t last = partial == 0 ? full : partial;
-  // zlib makes nothing smaller than to a 1032nd.
+  // zlib makes nothing smaller than 1/1032 of its size.
   constexpr std::uint64_t ratio = 1032, slack = 64;
   for (std::uint64_t b = 0; b < blocks; ++b)
     if ((b + 1 < blocks ? full : last) / ratio > sizes[b] + slack || sizes[b] > file.bytes.size())
@@ -204,12 +207,15 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
 
 }  // namespace
 
-void read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place, std::optional<std::size_t> count,
-                    Column& column) {
-  if (place.kind == VtuPlace::ascii) return read_ascii(encoding, place, count, column);
+std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
+                           std::optional<std::size_t> count, Column& column) {
+  if (place.kind == VtuPlace::ascii) {
+    read_ascii(encoding, place, count, column);
+    return 0;
+  }
   Source source(encoding, place);
   Sink sink(encoding, column);
-  if (source.empty() && (!count || *count == 0)) return;
+  if (source.empty() && (!count || *count == 0)) return 0;
   if (encoding.compressed) {
     read_compressed(encoding, source, count, sink, column);
   } else {
@@ -220,6 +226,7 @@ void read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place, std::opt
   if (!sink.whole() || (count && column_size(column) != *count))
     source.fail(fmt::format("array \"{}\": expected whole values of type {}{}", column.name, column.type,
                             count ? fmt::format(", {} of them", *count) : ""));
+  return source.left();
 }
 
 }  // namespace tetproof::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of an array in a .vtu file, however they stand there.
+// Reads the numbers of an array in a .vtu file, in all their encodings.
 #pragma once
 
 #include <bit>
@@ -14,24 +14,26 @@ namespace tetproof::io {
 inline constexpr std::string_view base64_digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// What holds for all arrays of a file.
+/// The encoding of all arrays of a file.
 struct VtuEncoding {
   const std::string& path;
   std::string_view bytes;  ///< the whole file
   std::endian order = std::endian::native;
-  int header_size = 4;      ///< bytes of the numbers in front of binary data
+  int header_size = 4;      ///< bytes of each number in front of binary data
   bool compressed = false;  ///< with zlib
 };
 
-/// Where an array's numbers stand: from byte `begin` to `end` of the file.
+/// The place of an array's numbers: bytes `begin` to `end` of the file.
 struct VtuPlace {
   enum Kind { ascii, base64, raw } kind = ascii;
   std::size_t begin = 0, end = 0;
+  bool shared = false;  ///< appended data: other arrays may follow before `end`
 };
 
 /// Reads the values of an array into `column`, whose type is set and valid: reals, integers or texts.
-/// `count`: how many there must be, if that is known. InputError, with line or byte, for anything else.
-void read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place, std::optional<std::size_t> count,
-                    Column& column);
+/// `count`: how many there must be, if that is known. Returns how many bytes of the place follow the values.
+/// InputError, with line or byte, for anything else.
+std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
+                           std::optional<std::size_t> count, Column& column);
 
 }  // namespace tetproof::io

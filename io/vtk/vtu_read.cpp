@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the XML of a .vtu file says: pieces, and where the numbers of their arrays stand.
+// Reads the XML of a .vtu file: its pieces, and the places where the numbers of their arrays stand.
 #include <fmt/format.h>
 
 #include <limits>
@@ -8,10 +8,12 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_data.hpp"
 #include "io/vtk/vtu_skeleton.hpp"
+#include "io/vtk/vtu_unread.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -38,12 +40,15 @@ class Reader {
     header(root);
     const pugi::xml_node grid = root.child("UnstructuredGrid");
     if (!grid) fail(root, "expected <UnstructuredGrid>");
-    for (const pugi::xml_node array : grid.child("FieldData").children())
-      if (is_array(array)) add_vtk_field(document_, column(array, std::nullopt));
-    std::size_t pieces = 0;
-    for ([[maybe_unused]] const pugi::xml_node one : grid.children("Piece")) ++pieces;
-    if (pieces == 0) fail(grid, "expected <Piece>");
-    for (const pugi::xml_node one : grid.children("Piece")) piece(one, pieces == 1);
+    each_array(grid, "FieldData",
+               [&](const pugi::xml_node& array) { add_vtk_field(document_, column(array, std::nullopt)); });
+    pieces(grid);
+    list_unread(
+        root,
+        [&](const pugi::xml_node& node) {
+          return Scanner(file_.path(), file_.bytes(), skeleton_.place(node.offset_debug())).line();
+        },
+        document_.dropped);
     return std::move(document_);
   }
 
@@ -56,9 +61,12 @@ class Reader {
     fail_at(node.offset_debug(), message);
   }
 
-  static bool is_array(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    return name == "DataArray" || name == "Array";
+  // Arrays of all elements called `name`: a file may have several, if hardly ever.
+  template <class Do>
+  static void each_array(const pugi::xml_node& parent, const char* name, const Do& take) {
+    for (const pugi::xml_node data : parent.children(name))
+      for (const pugi::xml_node array : data.children())
+        if (is_vtu_array(array)) take(array);
   }
 
   std::size_t count(const pugi::xml_node& node, const char* attribute) const {
@@ -95,10 +103,24 @@ class Reader {
     appended_end_ = end == std::string_view::npos || end < skeleton_.appended ? file_.bytes().size() : end;
   }
 
-  void piece(const pugi::xml_node& node, bool whole) {
+  // The division into pieces is not kept. Empty pieces divide nothing.
+  void pieces(const pugi::xml_node& grid) {
+    std::size_t pieces = 0, filled = 0, number = 0;
+    for ([[maybe_unused]] const pugi::xml_node one : grid.children("Piece")) ++pieces;
+    if (pieces == 0) fail(grid, "expected <Piece>");
+    for (const pugi::xml_node one : grid.children("Piece")) {
+      const std::size_t before = document_.points.size();
+      piece(one, pieces == 1 ? "" : fmt::format(" of piece {}", number++));
+      filled += document_.points.size() != before;
+    }
+    if (filled > 1) add_loss(document_.dropped, "division into pieces", 1, fmt::format("{} pieces", filled));
+  }
+
+  void piece(const pugi::xml_node& node, std::string which) {
     const std::size_t points = count(node, "NumberOfPoints"), cells = count(node, "NumberOfCells");
     VtkPiece piece;
-    const pugi::xml_node place = node.child("Points").find_child(is_array);
+    piece.which = std::move(which);
+    const pugi::xml_node place = node.child("Points").find_child(is_vtu_array);
     if (place) {
       Column coordinates = column(place, points);
       if (coordinates.components != 3)
@@ -107,21 +129,20 @@ class Reader {
     }
     if (piece.points.size() != points)
       fail(node, fmt::format("expected the coordinates of {} points", points));
-    for (const pugi::xml_node array : node.child("Cells").children()) {
-      const std::string_view name = array.attribute("Name").value();
-      if (name == "connectivity")
-        piece.connectivity = integers(array, std::nullopt);
-      else if (name == "offsets")
-        piece.ends = integers(array, cells);
-      else if (name == "types")
-        piece.types = integers(array, cells);
-    }
+    const pugi::xml_node of_cells = node.child("Cells");
+    if (const auto array = of_cells.find_child_by_attribute("Name", "connectivity"))
+      piece.connectivity = integers(array, std::nullopt);
+    if (const auto array = of_cells.find_child_by_attribute("Name", "offsets"))
+      piece.ends = integers(array, cells);
+    if (const auto array = of_cells.find_child_by_attribute("Name", "types"))
+      piece.types = integers(array, cells);
     if (piece.types.size() != cells) fail(node, fmt::format("expected the types of {} cells", cells));
     if (piece.ends.size() != cells) fail(node, fmt::format("expected the offsets of {} cells", cells));
-    for (const pugi::xml_node array : node.child("PointData").children())
-      if (is_array(array)) piece.point_data.push_back(column(array, points));
-    for (const pugi::xml_node array : node.child("CellData").children())
-      if (is_array(array)) piece.cell_data.push_back(column(array, cells));
+    each_array(node, "PointData",
+               [&](const pugi::xml_node& array) { piece.point_data.push_back(column(array, points)); });
+    each_array(node, "CellData",
+               [&](const pugi::xml_node& array) { piece.cell_data.push_back(column(array, cells)); });
+    const bool whole = piece.which.empty();
     add_vtk_piece(document_, std::move(piece), whole);
   }
 
@@ -149,7 +170,11 @@ class Reader {
     column.components = each == 0 ? 1 : static_cast<int>(each);
     std::optional<std::size_t> values;
     if (items) values = *items * static_cast<std::size_t>(column.components);
-    read_vtu_array(encoding_, place(node), values, column);
+    const VtuPlace where = place(node);
+    const std::size_t left = read_vtu_array(encoding_, where, values, column);
+    if (!where.shared)
+      add_loss(document_.dropped, "bytes behind the values of arrays", left,
+               fmt::format("\"{}\"", column.name));
     if (column_size(column) % static_cast<std::size_t>(column.components) != 0)
       fail(node,
            fmt::format("expected a multiple of {} values, found {}", column.components, column_size(column)));
@@ -167,7 +192,7 @@ class Reader {
         fail(node, fmt::format("expected an offset into the {} bytes of appended data, found '{}'",
                                appended_end_ - skeleton_.appended, text));
       return {appended_raw_ ? VtuPlace::raw : VtuPlace::base64,
-              skeleton_.appended + static_cast<std::size_t>(offset), appended_end_};
+              skeleton_.appended + static_cast<std::size_t>(offset), appended_end_, true};
     }
     if (format != "ascii" && format != "binary")
       fail(node, fmt::format("expected format ascii, binary or appended, found '{}'", format));

@@ -145,6 +145,21 @@ TEST(GmshImport, GeometryIsMeshed) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"box.geo", "box.msh"}));
 }
 
+TEST(GmshImport, WhatIsNoMeshIsListedAsDropped) {
+  const ScratchFolder folder;
+  folder.write("box.geo",
+               "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 2, 1, 1};\n"
+               "View \"a pressure\" {\nSP(0,0,0){1};\n};\n");
+  const Outcome run = run_program({program("tetproof-convert"), "box.geo", "box.msh", "--strict"},
+                                  {.directory = folder / ""});
+  EXPECT_EQ(run.exit_code, 1) << run;
+  // 8 points, 12 curves, 6 surfaces and a volume.
+  EXPECT_THAT(run.err, HasSubstr("not read: geometry of entities: 27 ("));
+  EXPECT_THAT(run.err, HasSubstr(" of dimension 3 and tag 1)\n"));
+  EXPECT_THAT(run.err, HasSubstr("not read: views of values: 1 (a pressure)\n"));
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"box.geo"});
+}
+
 TEST(GmshImport, WhatAScriptMeshedStaysAsItIs) {
   const ScratchFolder folder;
   folder.write("a.geo",

@@ -61,7 +61,6 @@ const std::vector<Case> cases{
      {{"a.smesh", nodes + "1\n3 1 2 5 7\n"}, {"a.poly", "TetGen prefers this"}},
      n + "b 2 3 1 boundary\ne 1: 1 2 5\n",
      {"a.smesh: there is a.poly too, which TetGen would read instead",
-      "a.smesh:8: there are more words in the line than are read (the first such)",
       "a.smesh: there is no number of holes"}},
 };
 
