@@ -179,6 +179,7 @@ struct Loss {
   std::string item;        ///< what is lost
   std::int64_t count = 0;  ///< how many of it
   std::string example;     ///< the first one
+  bool elements = false;   ///< elements that the mesh lacks
 };
 
 /// A mesh with everything its file said of it. Nothing is promised but that positions stay inside their
@@ -241,6 +242,11 @@ struct Document {
 TetMesh tet_mesh(const Document&);
 /// How the file numbered the points and tetrahedra of `tet_mesh(document)`.
 Numbering numbering(const Document&);
+
+/// Whether the block holds elements of dimension 3 that are no tetrahedra: hexahedra, polyhedra, ...
+bool has_other_cells(const ElementBlock&);
+/// The points of `tet_mesh(document)` that belong to such elements, ascending.
+std::vector<Index> points_of_other_cells(const Document&);
 
 /// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, its entity
 /// where it has none; TetGen's first attribute. Empty where all are in one region, or attributes are not

@@ -12,8 +12,8 @@
 namespace tetproof::io {
 
 /// Adds `count` of `item`. An item stands in the list once: its counts add up, its first example stays.
-/// A count of 0 adds nothing.
+/// A count of 0 adds nothing. `elements`: the item is elements, which the mesh then lacks.
 void add_loss(std::vector<Loss>& losses, const std::string& item, std::size_t count,
-              const std::string& example);
+              const std::string& example, bool elements = false);
 
 }  // namespace tetproof::io

@@ -138,6 +138,33 @@ Numbering numbering(const Document& document) {
   return names;
 }
 
+bool has_other_cells(const ElementBlock& block) {
+  if (const ElementType* type = io::element_type(block.type))
+    return type->dim == 3 && type->shape != Shape::tetrahedron;
+  return block.type == io::polyhedron;
+}
+
+std::vector<Index> points_of_other_cells(const Document& document) {
+  if (std::none_of(document.blocks.begin(), document.blocks.end(), has_other_cells)) return {};
+  std::vector<bool> used(document.points.size(), false);
+  for (const ElementBlock& block : document.blocks) {
+    if (!has_other_cells(block)) continue;
+    const Index* node = document.connectivity.data() + block.nodes;
+    for (const Index* end = node + block.count * static_cast<std::size_t>(block.nodes_each); node != end;
+         ++node)
+      if (*node >= 0) used[static_cast<std::size_t>(*node)] = true;
+  }
+  const std::vector<bool> kept = kept_nodes(document, Shape::tetrahedron);
+  std::vector<Index> points;
+  Index position = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!kept.empty() && !kept[i]) continue;
+    if (used[i]) points.push_back(position);
+    ++position;
+  }
+  return points;
+}
+
 std::vector<std::int64_t> tet_regions(const Document& document) {
   const auto attributes =
       std::find_if(document.element_values.begin(), document.element_values.end(), [&](const Values& values) {

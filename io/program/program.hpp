@@ -22,6 +22,7 @@ enum ExitCode : int {
   wrong = 1,        ///< done, and something is wrong with what was judged
   bad_input = 2,    ///< bad input or usage; one line on standard error, nothing written
   own_failure = 3,  ///< our own failure; what to report on standard error
+  incomplete = 4,   ///< nothing wrong was found, and not everything could be judged
 };
 
 /// Options that every program has.
