@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/document.hpp"
 #include "io/tet_mesh.hpp"
 
 namespace tetproof::verify {
@@ -16,6 +17,7 @@ struct NamedGrid {
   std::string file;
   TetMesh mesh;
   Numbering numbering;
+  std::vector<Loss> not_compared{};  ///< what the file has and `mesh` does not
 };
 
 /// What only one of two grids has; numbers are those of its file.
@@ -34,6 +36,7 @@ struct GridSide {
   std::vector<Point>
       first_points;  ///< of those only here, at most `GridComparison::shown`, by their order in the file
   std::vector<Tet> first_tets;
+  std::vector<Loss> not_compared;
 };
 
 struct GridComparison {
@@ -46,6 +49,8 @@ struct GridComparison {
   bool equal() const {
     return reference.points_only + reference.tets_only + other.points_only + other.tets_only == 0;
   }
+  /// All elements of both grids were compared.
+  bool complete() const;
 };
 
 /// Matches each point of `other` with the closest one of `reference` within `tolerance` (in diagonals of the

@@ -8,6 +8,7 @@
 #include "io/model/second_order.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
+#include "io/tetgen/tetgen_files.hpp"
 #include "io/tetgen/tetgen_write_parts.hpp"
 
 namespace tetproof::io {
@@ -59,6 +60,18 @@ std::vector<std::string> endings_of(const TetgenPlan& plan, const std::string& n
   if (plan.sizes) endings.push_back(".mtr");
   if (plan.bounds) endings.push_back(".var");
   if (plan.voronoi) endings.insert(endings.end(), {".v.node", ".v.edge", ".v.face", ".v.cell"});
+  return endings;
+}
+
+// Which files a document comes to.
+std::vector<std::string> endings_of(const TetgenPath& set, const Document& document) {
+  if (!set.is_plc()) return endings_of(tetgen_mesh_plan(document), set.ending);
+  const TetgenPlan plan = tetgen_plc_plan(document);
+  std::vector<std::string> endings{set.ending};
+  if (document.points.empty()) endings.push_back(".node");  // where they are then looked for
+  if (plan.edges.count > 0) endings.push_back(".edge");
+  if (plan.sizes) endings.push_back(".mtr");
+  if (plan.bounds) endings.push_back(".var");
   return endings;
 }
 
@@ -177,20 +190,31 @@ void write_tetgen(const std::string& path, const Document& document, const std::
   files.commit();
 }
 
+std::vector<std::string> tetgen_files_always_written(const std::string& path, const std::string& format) {
+  const TetgenPath set = tetgen_path_to_write(path, format);
+  std::vector<std::string> files;
+  if (!set.ending.empty()) files.push_back(set.path);
+  if (!set.is_plc())
+    for (const char* ending : {".node", ".ele"})
+      if (ending != set.ending) files.push_back(set.member(ending));
+  return files;
+}
+
+std::vector<std::string> tetgen_files_written(const std::string& path, const Document& document,
+                                              const std::string& format) {
+  const TetgenPath set = tetgen_path_to_write(path, format);
+  std::vector<std::string> files;
+  for (const std::string& ending : endings_of(set, document)) files.push_back(set.member(ending));
+  return files;
+}
+
 std::string tetgen_left_over(const std::string& path, const Document& document, const std::string& format) {
   const TetgenPath set = tetgen_path_to_write(path, format);
-  std::vector<std::string> written, read;
-  if (set.is_plc()) {
-    const TetgenPlan plan = tetgen_plc_plan(document);
-    if (plan.edges.count > 0) written.push_back(".edge");
-    if (plan.sizes) written.push_back(".mtr");
-    if (plan.bounds) written.push_back(".var");
-    read = {".edge", ".mtr", ".var"};
-    if (set.ending == ".smesh") read.push_back(".poly");
-  } else {
-    written = endings_of(tetgen_mesh_plan(document), set.ending);
-    read = {".face", ".edge", ".neigh", ".t2f", ".t2e", ".f2e", ".vol", ".mtr", ".var", ".v.cell"};
-  }
+  const std::vector<std::string> written = endings_of(set, document);
+  std::vector<std::string> read{".face", ".edge", ".neigh", ".t2f", ".t2e",
+                                ".f2e",  ".vol",  ".mtr",   ".var", ".v.cell"};
+  if (set.is_plc()) read = {".edge", ".mtr", ".var"};
+  if (set.ending == ".smesh") read.push_back(".poly");
   std::vector<std::string> left;
   for (const std::string& ending : read)
     if (!is_among(written, ending) && file_exists(set.member(ending))) left.push_back(set.member(ending));

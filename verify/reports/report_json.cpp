@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report as JSON. The keys are a contract.
-#include <nlohmann/json.hpp>
+#include "verify/reports/report_json.hpp"
 
-#include "verify/report.hpp"
+#include <nlohmann/json.hpp>
 
 namespace tetproof::verify {
 namespace {
@@ -89,7 +88,7 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 
 }  // namespace
 
-std::string report_json(const Report& report, const Numbering& numbering) {
+Json report_object(const Report& report, const Numbering& numbering) {
   Json checks = Json::array();
   for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
   Json regions = Json::array();
@@ -130,7 +129,11 @@ std::string report_json(const Report& report, const Numbering& numbering) {
     for (const auto& [phase, time] : report.seconds) seconds[phase] = time;
     all["seconds"] = seconds;
   }
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all;
+}
+
+std::string report_json(const Report& report, const Numbering& numbering) {
+  return report_object(report, numbering).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tetproof::verify
