@@ -9,7 +9,7 @@
 #include "io/document.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"
-#include "io/loss/holds.hpp"
+#include "io/losses.hpp"
 #include "io/tet_mesh.hpp"
 #include "io/tetgen/tetgen_files.hpp"
 
@@ -23,7 +23,8 @@ Document smallest_grid() {
 // Whether the file is written, and tetrahedra with it. Of TetGen's set a .vol, for example, would not be.
 bool holds_tetrahedra(const std::string& path) {
   const Document grid = smallest_grid();
-  if (io::holds_of(path, grid, {}).nodes_each(grid.blocks[0]) == 0) return false;
+  for (const Loss& loss : losses(path, grid))
+    if (loss.item.starts_with("tetrahedra")) return false;
   if (format_of(path).name != "tetgen") return true;
   const std::vector<std::string> written = io::tetgen_files_written(path, grid, "tetgen");
   return std::find(written.begin(), written.end(), path) != written.end();

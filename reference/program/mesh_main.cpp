@@ -218,7 +218,7 @@ int mesh(const Arguments& a, const program::Common& common) {
                       .timings = a.timings});
   enter("writing");
   const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);
-  Json json = verify::report_object(report);
+  Json json = verify::report_json_object(report);
   add_generation(json, a.surface, judged, made);
   if (a.reduce) json["generation"]["surface"]["reduced_from"] = triangles_read;
   json["dropped"] = program::losses_json(file.dropped);

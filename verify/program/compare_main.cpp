@@ -51,7 +51,7 @@ std::optional<bool> is_trace(const std::string& path) {
 
 // The cells of a grid that a comparison of tetrahedra leaves out.
 Loss other_cells(const Document& document) {
-  Loss others{.item = "cells that are no tetrahedra", .elements = true};
+  Loss others{.item = "cells that are no tetrahedra", .count = 0, .example = "", .elements = true};
   for (const ElementBlock& block : document.blocks) {
     if (!has_other_cells(block)) continue;
     if (others.count == 0) others.example = fmt::format("element {}", document.element_tag(block.first));

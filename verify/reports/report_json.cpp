@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/reports/report_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace tetproof::verify {
 namespace {
 
@@ -88,7 +86,7 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 
 }  // namespace
 
-Json report_object(const Report& report, const Numbering& numbering) {
+Json report_json_object(const Report& report, const Numbering& numbering) {
   Json checks = Json::array();
   for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
   Json regions = Json::array();
@@ -132,8 +130,12 @@ Json report_object(const Report& report, const Numbering& numbering) {
   return all;
 }
 
+std::string json_text(const Json& object) {
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string report_json(const Report& report, const Numbering& numbering) {
-  return report_object(report, numbering).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(report_json_object(report, numbering));
 }
 
 }  // namespace tetproof::verify

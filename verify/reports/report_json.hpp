@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builds the report as a JSON object, for programs that add keys of their own. Not installed.
+// The report as a JSON object, for programs that add keys of their own. Internal.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include "verify/report.hpp"
 
 namespace tetproof::verify {
 
-/// The object that `report_json` prints. Its keys are a contract.
-nlohmann::ordered_json report_object(const Report& report, const Numbering& numbering = {});
+/// The object that `report_json` prints.
+nlohmann::ordered_json report_json_object(const Report& report, const Numbering& numbering = {});
+
+/// A JSON object as `report_json` prints it. Bytes that are no UTF-8 are replaced.
+std::string json_text(const nlohmann::ordered_json& object);
 
 }  // namespace tetproof::verify
