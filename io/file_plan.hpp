@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/document.hpp"
@@ -21,6 +22,9 @@ class FilePlan {
   FilePlan& operator=(const FilePlan&) = delete;
 
   const Holds& holds() const { return holds_; }
+
+  /// The paths of all files that `write` creates.
+  virtual std::vector<std::string> files(const std::string& path) { return {path}; }
 
   /// See `write_warning` in io/mesh_files.hpp. Empty: nothing to warn of.
   virtual std::string warning([[maybe_unused]] const std::string& path) { return {}; }

@@ -47,6 +47,10 @@ const std::string& PlannedFile::warning() {
   return *warning_;
 }
 
+std::vector<std::string> PlannedFile::files() {
+  return plan().files(path_);
+}
+
 void PlannedFile::write() {
   std::string supplement;
   if (const io::Holds& holds = plan().holds(); !holds.kept_in.empty() && !kept_aside().items.empty())

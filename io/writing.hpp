@@ -41,6 +41,9 @@ class PlannedFile {
   /// See `write_warning` in io/mesh_files.hpp. The first call looks for old files.
   const std::string& warning();
 
+  /// The paths of all files that `write` creates: several for a set of TetGen's.
+  std::vector<std::string> files();
+
   /// Writes the document whole or not at all, as `write_document` in io/mesh_files.hpp does.
   void write();
 

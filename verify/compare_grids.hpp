@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/document.hpp"
 #include "io/tet_mesh.hpp"
 
 namespace tetproof::verify {
@@ -16,6 +17,7 @@ struct NamedGrid {
   std::string file;
   TetMesh mesh;
   Numbering numbering;
+  std::vector<Loss> not_compared{};  ///< what the file has and `mesh` does not
 };
 
 /// What only one of two grids has. Numbers of points and tetrahedra are those of its file.
@@ -33,7 +35,8 @@ struct GridSide {
   };
   /// The first of the points that only this grid has, in the file's order, at most `GridComparison::shown`.
   std::vector<Point> first_points;
-  std::vector<Tet> first_tets;  ///< likewise for the tetrahedra
+  std::vector<Tet> first_tets;     ///< likewise for the tetrahedra
+  std::vector<Loss> not_compared;  ///< elements of the file that are no tetrahedra, or were not read
 };
 
 struct GridComparison {
@@ -46,6 +49,8 @@ struct GridComparison {
   bool equal() const {
     return reference.points_only + reference.tets_only + other.points_only + other.tets_only == 0;
   }
+  /// All elements of both grids were compared.
+  bool complete() const;
 };
 
 /// Matches each point of `other` with the closest point of `reference` within `tolerance`, and tetrahedra by

@@ -25,6 +25,11 @@ std::string name_of(const ElementBlock& block) {
   }
 }
 
+// `what` is not read, with the place where the first one is.
+NotJudged not_read(const std::string& what, const Loss& loss) {
+  return {what, loss.count, "not read" + (loss.example.empty() ? "" : ": " + loss.example)};
+}
+
 }  // namespace
 
 Unjudged unjudged(const Document& document) {
@@ -44,10 +49,14 @@ Unjudged unjudged(const Document& document) {
   for (const Loss& loss : document.dropped) {
     if (!loss.elements) continue;
     result.points_known = false;
-    result.elements.push_back(
-        {loss.item, loss.count, "not read" + (loss.example.empty() ? "" : ": " + loss.example)});
+    result.elements.push_back(not_read(loss.item, loss));
   }
   return result;
+}
+
+void add_unread_surface(Unjudged& unjudged, const std::vector<Loss>& dropped) {
+  for (const Loss& loss : dropped)
+    if (loss.elements) unjudged.elements.push_back(not_read(loss.item + " of the surface", loss));
 }
 
 }  // namespace tetproof::verify

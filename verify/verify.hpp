@@ -31,6 +31,9 @@ struct Unjudged {
 /// Finds the elements of a document that are not among the tetrahedra of `tet_mesh(document)`, though they
 /// are part of the mesh: elements that the reader dropped, and elements of dimension 3 of other shapes.
 Unjudged unjudged(const Document& document);
+/// Adds the elements that the reader of the surface's file dropped: the mesh is then compared with a part of
+/// the surface only.
+void add_unread_surface(Unjudged& unjudged, const std::vector<Loss>& dropped);
 
 struct Options {
   Region region = Region::none;  ///< none with a surface given: the report describes the surface, no more

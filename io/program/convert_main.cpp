@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-convert: from one mesh file to another, with a list of what is lost on the way.
+// tetproof-convert IN OUT: converts a mesh file and lists what is lost on the way.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "io/error.hpp"
-#include "io/gmsh/gmsh_import.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/describe.hpp"
+#include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
-#include "io/writing.hpp"
+#include "io/program/report_losses.hpp"
 
 namespace {
 
 using namespace tetproof;
 using Json = nlohmann::ordered_json;
 
-Json json_of(const std::vector<Loss>& losses) {
-  Json list = Json::array();
-  for (const Loss& loss : losses)
-    list.push_back({{"item", loss.item}, {"count", loss.count}, {"example", loss.example}});
-  return list;
-}
-
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // names in files need not be UTF-8
-}
-
 struct Choices {
   std::string in, out, losses_file;
+  ReadOptions read;
   WriteOptions write;
   bool ascii = false, binary = false, strict = false, info = false;
 };
@@ -38,44 +29,37 @@ int convert(const Choices& choices, const program::Common& common) {
   if (!choices.out.empty() && choices.info) throw InputError("--info writes no file: leave out OUT");
   WriteOptions write = choices.write;
   if (choices.ascii || choices.binary) write.binary = choices.binary;
-  if (!choices.info) encoding_of(choices.out, write);  // refuses bad choices before a long read
+  program::FilesInUse files(common);
+  files.reads_mesh("IN", choices.in, choices.read);
+  files.writes_mesh("OUT", choices.out, write);
+  files.writes("--losses", choices.losses_file);
 
-  const Document document = read_document(choices.in);
-  for (const std::string& warning : document.warnings) program::say(common, "warning: " + warning);
-  for (const Loss& loss : document.dropped)
-    program::say(common, fmt::format("not read: {}: {} ({})", loss.item, loss.count, loss.example));
-  Json result{{"input", describe_json(document)}, {"dropped", json_of(document.dropped)}};
+  const Document document = read_document(choices.in, choices.read);
+  program::report_reading(common, document.warnings, document.dropped);
+  Json result{{"input", describe_json(document)}, {"dropped", program::losses_json(document.dropped)}};
   if (choices.info) {
-    if (common.json != "-") fmt::print("{}", describe_text(document));
-    if (!common.json.empty()) program::write_text(common.json, text_of(result));
+    if (!files.standard_output_is_taken()) fmt::print("{}", describe_text(document));
+    if (!common.json.empty()) program::write_json(common.json, result);
     return program::sound;
   }
 
-  PlannedFile file(choices.out, document, write);
-  const std::vector<Loss>& lost = file.losses();
-  for (const Loss& loss : lost)
-    program::say(common, fmt::format("lost: {}: {} ({})", loss.item, loss.count, loss.example));
-  const KeptAside& kept = file.kept_aside();
-  for (const Loss& item : kept.items)
-    program::say(common,
-                 fmt::format("kept in {}: {}: {} ({})", kept.where, item.item, item.count, item.example));
+  program::MeshOutput output(common, files, "OUT", choices.out, document, write);
+  const std::vector<Loss>& lost = output.losses();
+  const KeptAside& kept = output.kept_aside();
   const bool refused = choices.strict && !(lost.empty() && document.dropped.empty());
-  if (!refused) {
-    if (!file.warning().empty()) program::say(common, "warning: " + file.warning());
-    file.write();
-  }
+  if (!refused) output.write();
   result["output"] = {{"file", choices.out},
-                      {"format", file.encoding().format},
-                      {"binary", file.encoding().binary},
+                      {"format", output.encoding().format},
+                      {"binary", output.encoding().binary},
                       {"written", !refused}};
-  result["losses"] = json_of(lost);
-  result["kept_aside"] = json_of(kept.items);
+  result["losses"] = program::losses_json(lost);
+  result["kept_aside"] = program::losses_json(kept.items);
   if (!kept.items.empty()) result["output"]["kept_in"] = kept.where;
   if (!choices.losses_file.empty())
-    program::write_text(choices.losses_file, text_of(Json{{"dropped", result["dropped"]},
-                                                          {"losses", result["losses"]},
-                                                          {"kept_aside", result["kept_aside"]}}));
-  if (!common.json.empty()) program::write_text(common.json, text_of(result));
+    program::write_json(choices.losses_file, Json{{"dropped", result["dropped"]},
+                                                  {"losses", result["losses"]},
+                                                  {"kept_aside", result["kept_aside"]}});
+  if (!common.json.empty()) program::write_json(common.json, result);
   if (!refused) return program::sound;
   const std::size_t items = lost.size() + document.dropped.size();
   program::say(common, fmt::format("{}: not written, since {} of {} {} (--strict)", choices.out,
@@ -90,8 +74,6 @@ int convert(const Choices& choices, const program::Common& common) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string names;
-  for (const Format& format : formats()) names += (names.empty() ? "" : ", ") + format.name;
   return program::run(
       argc, argv,
       {.purpose = "Converts meshes and surfaces between formats, and says what the target cannot hold.",
@@ -101,16 +83,24 @@ int main(int argc, char** argv) {
            "  tetproof-convert grid.msh old.msh --to msh22\n"
            "  tetproof-convert grid.msh grid.vtu --strict       exit 1 and no file if anything is lost\n"
            "  tetproof-convert --info grid.msh\n"
-           "  tetproof-convert part.step part.msh               what only Gmsh reads; geometry is meshed\n",
+           "  tetproof-convert part.step part.msh               a format that only Gmsh reads; geometry is "
+           "meshed\n"
+           "  zcat grid.vtk.gz | tetproof-convert - grid.msh    from standard input\n",
        .libraries = {}},
       [&](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto choices = std::make_shared<Choices>();
         app.add_option("IN", choices->in,
-                       fmt::format("a mesh or a surface: {}; through Gmsh: {}",
-                                   fmt::join(known_endings(), " "), fmt::join(io::gmsh_endings(), " ")))
+                       "a mesh or a surface; - is standard input. Endings: " + program::endings_read())
             ->required();
-        app.add_option("OUT", choices->out, "the file to write; its ending says the format");
-        app.add_option("--to", choices->write.format, "the format, when OUT's ending does not tell: " + names)
+        app.add_option("OUT", choices->out,
+                       fmt::format("the file to write, in the format that its ending says; never IN itself. "
+                                   "Endings: {}",
+                                   fmt::join(known_endings(), " ")));
+        app.add_option("--from", choices->read.format,
+                       "IN's format, where neither ending nor content tell: " + program::format_names())
+            ->type_name("FORMAT");
+        app.add_option("--to", choices->write.format,
+                       "OUT's format, where its ending does not tell: " + program::format_names())
             ->type_name("FORMAT");
         auto* ascii = app.add_flag("--ascii", choices->ascii, "write text");
         app.add_flag("--binary", choices->binary, "write binary")->excludes(ascii);

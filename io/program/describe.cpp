@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 struct Figures {
   std::map<int, std::pair<int, std::int64_t>> types;  // nodes each, elements
   std::array<std::int64_t, 4> entities{};             // by dimension
-  std::map<std::pair<int, std::int64_t>, std::int64_t>
-      groups;  // elements of (dimension, group); a sign only turns them
+  // Elements by (dimension, group). A group's sign tells only how its elements are oriented.
+  std::map<std::pair<int, std::int64_t>, std::int64_t> groups;
   std::map<std::pair<int, std::int64_t>, std::string> names;
   std::set<std::int64_t> partitions;
   Eigen::Vector3d low, high;
@@ -70,7 +70,7 @@ const char* shape_of(int type) {
   return names[static_cast<int>(known ? known->shape : io::Shape::other)];
 }
 
-// Parts that are told by their number alone, where there are any.
+// Parts of which only the number is printed; those that the document does not have are left out.
 std::vector<std::pair<std::string, std::size_t>> parts(const Document& document) {
   const Voronoi& voronoi = document.voronoi;
   std::vector<std::pair<std::string, std::size_t>> all{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document holds, in figures. No part of the libraries.
+// Describes in numbers what a document holds. Not installed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,6 +10,7 @@
 namespace tetproof {
 
 std::string describe_text(const Document& document);
+/// The object under `input` in tetproof-convert's JSON.
 nlohmann::ordered_json describe_json(const Document& document);
 
 }  // namespace tetproof

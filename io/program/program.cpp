@@ -14,6 +14,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "io/bytes/atomic_file.hpp"
@@ -32,7 +33,7 @@ std::string version(const std::string& name, const Description& description) {
   return text;
 }
 
-// CLI11 prints examples last, in the footer; ours come first, where a reader in a hurry looks.
+// Prints examples first, where a reader in a hurry looks. CLI11 has a place for them only at the end.
 class ExamplesFirst : public CLI::Formatter {
  public:
   explicit ExamplesFirst(std::string examples) : examples_(std::move(examples)) { column_width(34); }
@@ -59,6 +60,7 @@ int run(int argc, char** argv, const Description& description,
   try {
     CLI::App app{description.purpose, name};
     app.formatter(std::make_shared<ExamplesFirst>(description.examples));
+    app.footer("An output that is the same file as an input or as another output is refused.");
     app.option_defaults()->always_capture_default();
     app.set_version_flag("--version", version(name, description),
                          "print this program's and its libraries' versions");
@@ -67,7 +69,7 @@ int run(int argc, char** argv, const Description& description,
     app.add_option("--json", common.json, "write the result as JSON to FILE; - is standard output")
         ->type_name("FILE")
         ->always_capture_default(false);
-    app.add_flag("--quiet,-q", common.quiet, "no talk on standard error, but for errors");
+    app.add_flag("--quiet,-q", common.quiet, "print nothing on standard error except errors");
     app.add_option("--threads", common.threads, "threads to use; 0: all")
         ->type_name("N")
         ->check(CLI::Range(0, 4096));
@@ -81,7 +83,6 @@ int run(int argc, char** argv, const Description& description,
         common.threads > 0 ? static_cast<std::size_t>(common.threads)
                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    if (!common.json.empty() && common.json != "-") check_creatable(common.json);
     return work();
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", name, one_line(error.what()));
@@ -96,7 +97,11 @@ int run(int argc, char** argv, const Description& description,
 }
 
 void say(const Common& common, const std::string& line) {
-  if (!common.quiet) fmt::print(stderr, "{}\n", line);
+  if (common.quiet) return;
+  std::string shown = line;
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+  fmt::print(stderr, "{}\n", shown);
 }
 
 Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
@@ -130,7 +135,7 @@ void Progress::show() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, shown ? 250ms : 2000ms, [&] { return ended_; })) {
     const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    // Early on the estimate would be mostly the shares' own error.
+    // Earlier, errors in the shares would make the estimate useless.
     const std::string rest =
         done_ >= 0.1 && done_ < 1 ? fmt::format(", about {:.0f} s left", so_far / done_ - so_far) : "";
     fmt::print(stderr, "\r\x1b[K{}: {:.0f} s{}", phase_, so_far, rest);
@@ -152,6 +157,10 @@ void write_text(const std::string& path, const std::string& text) {
   AtomicFile file(path);
   file.write(text);
   file.commit();
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& json) {
+  write_text(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tetproof::program

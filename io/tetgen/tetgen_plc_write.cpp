@@ -128,14 +128,18 @@ class PlcFilePlan : public FilePlan {
       : FilePlan(document), format_(format), plan_(tetgen_plc_plan(document)) {
     holds_ = tetgen_plc_holds(document, plan_, format_ == "smesh");
   }
+  std::vector<std::string> files(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, format_);
+    std::vector<std::string> endings = further_endings();
+    endings.insert(endings.begin(), set.ending);
+    if (document_.points.empty()) endings.push_back(".node");  // a reader then looks for the points there
+    return set.members(endings);
+  }
   std::string warning(const std::string& path) override {
     const TetgenPath set = tetgen_path_to_write(path, format_);
-    std::vector<std::string> written, read{".edge", ".mtr", ".var"};
-    if (plan_.edges.count > 0) written.push_back(".edge");
-    if (plan_.sizes) written.push_back(".mtr");
-    if (plan_.bounds) written.push_back(".var");
+    std::vector<std::string> read{".edge", ".mtr", ".var"};
     if (set.ending == ".smesh") read.push_back(".poly");
-    return tetgen_left_over(set, written, read);
+    return tetgen_left_over(set, further_endings(), read);
   }
   void write(const std::string& path, const std::string& supplement) override {
     if (format_ == "smesh" && !plan_.facets.empty()) {
@@ -149,6 +153,14 @@ class PlcFilePlan : public FilePlan {
   }
 
  private:
+  std::vector<std::string> further_endings() const {
+    std::vector<std::string> endings;
+    if (plan_.edges.count > 0) endings.push_back(".edge");
+    if (plan_.sizes) endings.push_back(".mtr");
+    if (plan_.bounds) endings.push_back(".var");
+    return endings;
+  }
+
   const std::string format_;  // "poly" or "smesh"
   const TetgenPlan plan_;
 };

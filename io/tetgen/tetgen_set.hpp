@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace tetproof::io {
 
@@ -13,6 +14,12 @@ struct TetgenPath {
   bool is_plc() const { return ending == ".poly" || ending == ".smesh"; }
   /// The path of the set's file with another ending. The file that was named keeps its spelling.
   std::string member(const std::string& other) const { return other == ending ? path : stem + other; }
+  /// The paths of several of its files.
+  std::vector<std::string> members(const std::vector<std::string>& endings) const {
+    std::vector<std::string> paths;
+    for (const std::string& other : endings) paths.push_back(member(other));
+    return paths;
+  }
 };
 /// The set of a file that is to be written as "tetgen", "poly" or "smesh". An ending that does not belong to
 /// that format is part of the name.

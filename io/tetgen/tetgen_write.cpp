@@ -8,6 +8,7 @@
 #include "io/model/node_order.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
+#include "io/tetgen/tetgen_files.hpp"
 #include "io/tetgen/tetgen_write_parts.hpp"
 
 namespace tetproof::io {
@@ -195,6 +196,10 @@ class MeshFilePlan : public FilePlan {
   explicit MeshFilePlan(const Document& document) : FilePlan(document), plan_(tetgen_mesh_plan(document)) {
     holds_ = tetgen_mesh_holds(document, plan_);
   }
+  std::vector<std::string> files(const std::string& path) override {
+    const TetgenPath set = tetgen_path_to_write(path, "tetgen");
+    return set.members(endings_of(plan_, set.ending));
+  }
   std::string warning(const std::string& path) override {
     const TetgenPath set = tetgen_path_to_write(path, "tetgen");
     return tetgen_left_over(
@@ -213,6 +218,16 @@ class MeshFilePlan : public FilePlan {
 
 std::unique_ptr<FilePlan> plan_tetgen(const Document& document, bool) {
   return std::make_unique<MeshFilePlan>(document);
+}
+
+std::vector<std::string> tetgen_files_always_written(const std::string& path, const std::string& format) {
+  const TetgenPath set = tetgen_path_to_write(path, format);
+  std::vector<std::string> files;
+  if (!set.ending.empty()) files.push_back(set.path);
+  if (!set.is_plc())
+    for (const char* ending : {".node", ".ele"})
+      if (ending != set.ending) files.push_back(set.member(ending));
+  return files;
 }
 
 }  // namespace tetproof::io

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-mesh SURFACE -o GRID: the paper's grid of a closed surface, judged before it is written.
+// tetproof-mesh SURFACE -o GRID: makes the paper's grid of a closed surface and judges it before writing it.
 #include <fmt/core.h>
 
 #include <CGAL/version.h>
 #include <openvdb/version.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -12,11 +13,15 @@
 #include "io/bytes/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
+#include "io/program/report_losses.hpp"
 #include "reference/program/mesh_options.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
 #include "reference/trace/trace_records.hpp"
+#include "verify/reports/report_json.hpp"
 #include "verify/surface.hpp"
 #include "verify/verify.hpp"
 
@@ -34,8 +39,8 @@ const char* const examples =
     "  tetproof-mesh sphere:r=1 --region outside --figure sphere.svg --plane x=0\n"
     "  tetproof-mesh wing:naca=0012 -o wing.vtu --cells 200,40,40 --on-surface 0.1 --json wing.json\n";
 
-// What part of the whole time each phase takes, measured on ct_skull.off: without adaptation with a million
-// tetrahedra, with it from 48 cells.
+// Each phase's share of the whole time, measured on ct_skull.off: without adaptation with a million
+// tetrahedra, with adaptation from 48 cells.
 std::vector<std::pair<std::string, double>> phase_shares(bool adapts, bool reduces) {
   std::vector<std::pair<std::string, double>> shares;
   if (!adapts)
@@ -52,14 +57,14 @@ std::vector<std::pair<std::string, double>> phase_shares(bool adapts, bool reduc
   return shares;
 }
 
-// Wall time of named phases, one after the other.
+// Measures the wall time of named phases, one after the other.
 class Stopwatch {
  public:
   void enter(std::string_view name) {
     const auto now = std::chrono::steady_clock::now();
     if (!phases_.empty()) phases_.back().second += std::chrono::duration<double>(now - since_).count();
     since_ = now;
-    for (std::size_t p = 0; p < phases_.size(); ++p)  // a phase entered again goes on
+    for (std::size_t p = 0; p < phases_.size(); ++p)  // a phase that is entered again goes on
       if (phases_[p].first == name) std::rotate(phases_.begin() + p, phases_.begin() + p + 1, phases_.end());
     if (phases_.empty() || phases_.back().first != name) phases_.emplace_back(name, 0.0);
   }
@@ -74,23 +79,30 @@ class Stopwatch {
   std::chrono::steady_clock::time_point since_;
 };
 
-// The trace as it grows; nothing without a name.
-class TraceFile {
+// Writes the trace, record by record, to a file or to standard output. Without a path it does nothing.
+class TraceOutput {
  public:
-  TraceFile(const std::string& path, const std::string& surface, trace::Settings settings) {
+  TraceOutput(const std::string& path, const std::string& surface, trace::Settings settings) : path_(path) {
     if (path.empty()) return;
-    file_.emplace(path);
+    if (path != "-") file_.emplace(path);
     settings.program = "tetproof-mesh";
     settings.surface = surface;
     write(settings);
   }
-  explicit operator bool() const { return file_.has_value(); }
-  void write(const trace::Record& record) { file_->write(trace::to_line(record) + "\n"); }
+  explicit operator bool() const { return !path_.empty(); }
+  void write(const trace::Record& record) {
+    const std::string line = trace::to_line(record) + "\n";
+    if (file_)
+      file_->write(line);
+    else
+      program::write_text(path_, line);
+  }
   void commit() {
     if (file_) file_->commit();
   }
 
  private:
+  std::string path_;
   std::optional<AtomicFile> file_;
 };
 
@@ -124,6 +136,33 @@ std::string figure_of(const TetMesh& mesh, const TriangleSurface& surface, const
       {.plane = plane, .colour = a.colour, .title = fmt::format("Unstructured grid {} {}", where, name)});
 }
 
+// Declares the run's files, and refuses outputs that could not be written after the work.
+program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, const program::Common& common) {
+  program::FilesInUse files(common);
+  if (!corpus::is_generated(a.surface))
+    files.reads_mesh("SURFACE", a.surface, a.read);
+  else if (!a.read.format.empty())
+    throw InputError("--from needs a SURFACE that is a file");
+  if (!a.options.follow.empty()) files.reads("--follow", a.options.follow);
+  if (!a.grid.empty()) {
+    encoding_of(a.grid, write);
+    program::check_holds_tetrahedra(a.grid);
+  }
+  files.writes_mesh("-o", a.grid, write);
+  files.writes("--trace", a.trace);
+  files.writes("--figure", a.figure);
+  return files;
+}
+
+void write_grid(const TetMesh& grid, const Arguments& a, const WriteOptions& write,
+                program::FilesInUse& files, const program::Common& common, Json& json) {
+  const Document document = document_of(grid);
+  program::MeshOutput output(common, files, "-o", a.grid, document, write);
+  output.write();
+  json["losses"] = program::losses_json(output.losses());
+  json["kept_aside"] = program::losses_json(output.kept_aside().items);
+}
+
 int mesh(const Arguments& a, const program::Common& common) {
   if (a.list_surfaces) {
     fmt::print("{}", corpus::list_surfaces());
@@ -132,12 +171,9 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
   if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty())
     throw InputError("expected -o GRID (see tetproof-mesh --help)");
-  if (!a.grid.empty()) {
-    format_of(a.grid);  // refuses an unknown ending before the work
-    check_creatable(a.grid);
-  }
-  for (const std::string& path : {a.trace, a.figure})
-    if (!path.empty()) check_creatable(path);
+  WriteOptions write;
+  if (a.ascii || a.binary) write.binary = a.binary;
+  program::FilesInUse files = files_of(a, write, common);
 
   reference::Options options = generate_options(a);
   Stopwatch watch;
@@ -149,7 +185,9 @@ int mesh(const Arguments& a, const program::Common& common) {
   options.listener.phase = enter;
 
   enter("reading");
-  TriangleSurface surface = corpus::open_surface(a.surface);
+  SurfaceFile file = corpus::open_surface_file(a.surface, a.read);
+  program::report_reading(common, file.warnings, file.dropped);
+  TriangleSurface surface = std::move(file.surface);
   const std::size_t triangles_read = surface.triangles.size();
   enter("judging the surface");
   std::optional<verify::JudgedSurface> judged_surface(judge(surface, a.surface, common));
@@ -161,7 +199,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   const verify::SurfaceReport& judged = judged_surface->report();
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
-  TraceFile trace(a.trace, a.surface, settings_of(options, surface));
+  TraceOutput trace(a.trace, a.surface, settings_of(options, surface));
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
   const reference::Generation made = generate(surface, options);
   if (made.mesh().tets.empty())
@@ -169,6 +207,8 @@ int mesh(const Arguments& a, const program::Common& common) {
                  "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
 
   enter("verification");
+  verify::Unjudged unjudged;
+  verify::add_unread_surface(unjudged, file.dropped);
   const double cell_diagonal = (made.lattice.point(1, 1, 1) - made.lattice.point(0, 0, 0)).norm();
   const verify::Report report =
       verify::verify(made.mesh(), *judged_surface,
@@ -177,30 +217,29 @@ int mesh(const Arguments& a, const program::Common& common) {
                       .fidelity = cell_diagonal / (judged.box_max - judged.box_min).norm(),
                       .voxels = a.voxels,
                       .coarse = true,
+                      .unjudged = std::move(unjudged),
                       .timings = a.timings});
   enter("writing");
   const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);
-  WriteOptions write;
-  if (a.ascii || a.binary) write.binary = a.binary;
-  if (!a.grid.empty()) write_document(a.grid, document_of(made.mesh()), write);
+  Json json = verify::report_json_object(report);
+  add_generation(json, a.surface, judged, made);
+  if (a.reduce) json["generation"]["surface"]["reduced_from"] = triangles_read;
+  json["dropped"] = program::losses_json(file.dropped);
+  if (!a.grid.empty()) write_grid(made.mesh(), a, write, files, common, json);
   trace.commit();
   if (!a.figure.empty()) program::write_text(a.figure, figure);
   progress.end();
   const auto& seconds = watch.stop();
 
-  if (common.json != "-")
+  if (!files.standard_output_is_taken())
     fmt::print("{}{}{}", generation_text(made), verify::report_text(report),
                a.grid.empty() ? "" : fmt::format("written: {}\n", a.grid));
   if (a.timings)
-    for (const auto& [name, s] : seconds) program::say(common, fmt::format("{:>8.3f} s  {}", s, name));
-  if (!common.json.empty()) {
-    Json json = Json::parse(verify::report_json(report));
-    add_generation(json, a.surface, judged, made);
-    if (a.reduce) json["generation"]["surface"]["reduced_from"] = triangles_read;
-    if (a.timings)
-      for (const auto& [name, s] : seconds) json["seconds"][name] = s;
-    program::write_text(common.json, json.dump(2) + "\n");
-  }
+    for (const auto& [name, s] : seconds) {
+      program::say(common, fmt::format("{:>8.3f} s  {}", s, name));
+      json["seconds"][name] = s;
+    }
+  if (!common.json.empty()) program::write_json(common.json, json);
   const bool admissible = !made.follow || made.follow->admissible;
   if (verify::defective(report) || !admissible) return program::wrong;
   return verify::sound(report) ? program::sound : program::incomplete;

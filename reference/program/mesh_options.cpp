@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/program/mesh_options.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,6 +9,7 @@
 #include <map>
 
 #include "io/error.hpp"
+#include "io/program/mesh_formats.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -19,39 +20,42 @@ void declare_adaptation(CLI::App& app, Arguments& a) {
                                                   {"none", Criterion::none}};
   const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
   app.add_option("--points", a.points,
-                 "points to insert at most; auto: until no split lowers E_avg; 0: the first grid alone")
+                 "the largest number of points to insert; auto: insert until no split lowers E_avg; 0: only "
+                 "the first grid")
       ->type_name("N|auto|0");
   app.add_option("--v0", a.v0,
-                 "eq. (3.1): the volume at distance 0, over the first grid's mean volume, or abs:X")
+                 "eq. (3.1): the volume at distance 0, in mean volumes of the first grid, or abs:X")
       ->type_name("F");
-  app.add_option("--v1", a.v1, "eq. (3.1): the volume at distance d1, likewise")->type_name("F");
-  app.add_option("--d1", a.adapt.d1, "eq. (3.1): a distance; without, the largest of the first grid")
+  app.add_option("--v1", a.v1, "eq. (3.1): the volume at distance d1, in the same unit")->type_name("F");
+  app.add_option("--d1", a.adapt.d1,
+                 "eq. (3.1): a distance; if not given, the largest distance in the first grid")
       ->check(CLI::PositiveNumber)
       ->type_name("L")
       ->always_capture_default(false);
   app.add_option("--p", a.adapt.p, "eq. (3.1): the exponent")->type_name("P");
-  app.add_option("--e-avg", a.e_avg, "stop when E_avg is not above this, given as --v0 is")->type_name("F");
+  app.add_option("--e-avg", a.e_avg, "stop when E_avg is not larger than this, in the unit of --v0")
+      ->type_name("F");
   app.add_flag("--past-dilution", a.adapt.past_dilution,
-               "go on where the chosen tetrahedron is not larger than it should be; needs --points N");
+               "go on even if the chosen tetrahedron is not larger than it should be; needs --points N");
   app.add_option("--parametric", a.options.parametric,
-                 "follow the surface's parametric definition, where it has one")
+                 "follow the surface's parametric definition, if it has one")
       ->transform(CLI::CheckedTransformer(on_off))
       ->option_text("on|off [on]");
-  app.add_flag("--curvature", a.adapt.curvature,
-               "weight the distance with the surface's curvature, eq. (3.6)");
-  app.add_option("--improve", a.adapt.improve, "what flips shall raise, section 4")
+  app.add_flag("--curvature", a.adapt.curvature, "weight the distance by the surface's curvature, eq. (3.6)");
+  app.add_option("--improve", a.adapt.improve, "the measure that flips raise, section 4")
       ->transform(CLI::CheckedTransformer(criteria))
       ->option_text("solid-angle|aspect-ratio|none [solid-angle]");
   app.add_option("--improve-below", a.adapt.improve_below,
-                 "improve after an insertion that made a solid angle smaller than this, of 4 pi")
+                 "improve after an insertion that made a solid angle smaller than this part of 4 pi")
       ->type_name("S");
   app.add_option(
          "--follow", a.options.follow,
-         "replay another implementation's decisions, checking each; stop at the first that is not admissible")
+         "replay another implementation's decisions and check each; stop at the first that is not admissible")
       ->type_name("OTHER.jsonl")
       ->check(CLI::ExistingFile)
       ->always_capture_default(false);
-  app.add_option("--trace", a.trace, "every decision, one JSON record a line, for tetproof-compare")
+  app.add_option("--trace", a.trace,
+                 "write every decision as a line of JSON, for tetproof-compare; - is standard output")
       ->type_name("FILE.jsonl");
 }
 
@@ -59,18 +63,19 @@ void declare_figure(CLI::App& app, Arguments& a) {
   const std::map<std::string, FigureColour> colours{{"volume", FigureColour::volume},
                                                     {"quality", FigureColour::quality}};
   app.add_option("--figure", a.figure,
-                 "the cut of a plane through the grid, as in the paper's figures 3 to 6")
+                 "draw the cut of a plane through the grid, as in the paper's figures 3 to 6; - is standard "
+                 "output")
       ->type_name("FILE.svg")
       ->always_capture_default(false);
   app.add_option("--plane", a.plane,
-                 "the figure's plane: x=0, an axis for the middle, or a,b,c,d for ax + by + cz = d")
+                 "the figure's plane: x=0; x alone for the middle of the axis; a,b,c,d for ax + by + cz = d")
       ->type_name("PLANE");
-  app.add_option("--colour", a.colour, "what the figure's colours show: volumes, or smallest solid angles")
+  app.add_option("--colour", a.colour, "what the figure's colours show: volumes or the smallest solid angles")
       ->transform(CLI::CheckedTransformer(colours))
       ->option_text("volume|quality [volume]");
 }
 
-// "24" or "24,12,12".
+// Parses "24" or "24,12,12".
 std::array<int, 3> parse_cells(const std::string& text) {
   std::array<int, 3> cells{};
   std::size_t n = 0, at = 0;
@@ -91,7 +96,7 @@ std::array<int, 3> parse_cells(const std::string& text) {
   return cells;
 }
 
-// "0.2" or "abs:0.001".
+// Parses "0.2" or "abs:0.001".
 VolumeSetting parse_volume(std::string_view option, std::string_view text) {
   VolumeSetting setting{0};
   std::string_view number = text;
@@ -121,12 +126,20 @@ void declare_options(CLI::App& app, Arguments& a) {
   const std::map<std::string, Diagonals> diagonals{{"lowest", Diagonals::lowest},
                                                    {"shortest", Diagonals::shortest}};
   app.add_option("SURFACE", a.surface,
-                 "a closed surface: .stl .off .obj .ply .msh, or a generated one (--list-surfaces)");
-  app.add_option("-o,--output", a.grid, "the grid; its ending says the format")
+                 fmt::format("a closed surface: a file, or a generated one (--list-surfaces); - is standard "
+                             "input. Endings: {}",
+                             fmt::join(known_endings(), " ")));
+  app.add_option("-o,--output", a.grid,
+                 "the grid to write, in the format that its ending says; never an input. Endings: " +
+                     program::grid_endings_written())
       ->type_name("GRID")
       ->always_capture_default(false);
-  app.add_option("--reduce", a.reduce,
-                 "reduce the surface to at most N triangles first; what is left is judged like any other")
+  app.add_option("--from", a.read.format,
+                 "SURFACE's format, where neither ending nor content tell: " + program::format_names())
+      ->type_name("FORMAT");
+  app.add_option(
+         "--reduce", a.reduce,
+         "first reduce the surface to at most N triangles; the reduced surface is judged as any other")
       ->check(CLI::Range(4, std::numeric_limits<int>::max()))
       ->type_name("N")
       ->option_text("N");
@@ -135,27 +148,32 @@ void declare_options(CLI::App& app, Arguments& a) {
       ->option_text("inside|outside [inside]");
   app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")
       ->type_name("N|NX,NY,NZ");
-  app.add_option("--box-scale", a.options.box_scale, "the lattice's box over the surface's, more than 1")
+  app.add_option("--box-scale", a.options.box_scale,
+                 "the size of the lattice's box over that of the surface's box, more than 1")
       ->type_name("S");
-  app.add_option(
-         "--on-surface", a.options.on_surface,
-         "lattice vertices closer to the surface than this go there, in shortest cell edges, 0 to 0.15")
+  app.add_option("--on-surface", a.options.on_surface,
+                 "lattice vertices that are closer to the surface than this move onto it; in shortest cell "
+                 "edges, 0 to "
+                 "0.15")
       ->type_name("T");
   app.add_option("--diagonals", a.options.diagonals,
-                 "the diagonal of a quadrilateral that two tetrahedra share")
+                 "which diagonal cuts a quadrilateral that two tetrahedra share")
       ->transform(CLI::CheckedTransformer(diagonals))
       ->option_text("lowest|shortest [lowest]");
-  app.add_flag("--literal", a.options.literal,
-               "as printed: case 5 always kept, --on-surface 0, rounding reported and not mended");
+  app.add_flag(
+      "--literal", a.options.literal,
+      "as printed in the paper: case 5 always kept, --on-surface 0, rounding reported and not mended");
   declare_adaptation(app, a);
   declare_figure(app, a);
-  app.add_option("--voxels", a.voxels,
-                 "voxels along the longest side for the independent volume account; 0: without")
+  app.add_option(
+         "--voxels", a.voxels,
+         "voxels along the longest side for the second, independent measurement of the volume; 0: none")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
-  app.add_flag("--ascii", a.ascii, "write text where the format has both");
-  app.add_flag("--binary", a.binary, "write binary where the format has both")->excludes("--ascii");
-  app.add_flag("--timings", a.timings, "seconds per phase in the JSON and in the talk");
+  app.add_flag("--ascii", a.ascii, "write text, if the format has both");
+  app.add_flag("--binary", a.binary, "write binary, if the format has both")->excludes("--ascii");
+  app.add_flag("--timings", a.timings,
+               "print the seconds that each phase took, on standard error and in the JSON");
   app.add_flag("--list-surfaces", a.list_surfaces, "print the generated surfaces with their parameters");
 }
 

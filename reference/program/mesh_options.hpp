@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options of tetproof-mesh. Not installed.
+// Declares and parses the options of tetproof-mesh. Not installed.
 #pragma once
 
 #include <string>
 
+#include "io/mesh_files.hpp"
 #include "io/program/program.hpp"
 #include "reference/figure/figure.hpp"
 #include "reference/generate.hpp"
 
 namespace tetproof::reference {
 
-/// As given on the command line.
+/// The command line's arguments.
 struct Arguments {
   std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
   std::string figure, plane = "x";
+  ReadOptions read;  ///< of the surface
   FigureColour colour = FigureColour::volume;
   Options options;
   AdaptOptions adapt;
@@ -25,8 +27,7 @@ struct Arguments {
 /// Adds all options to `app`, which fills `a`.
 void declare_options(CLI::App& app, Arguments& a);
 
-/// The options for `generate`, with what is text in the arguments parsed and everything checked. Throws
-/// InputError.
+/// Makes the options for `generate`: parses the arguments that are texts and checks all. Throws InputError.
 Options generate_options(const Arguments& a);
 
 }  // namespace tetproof::reference

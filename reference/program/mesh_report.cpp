@@ -19,7 +19,7 @@ std::string orientation_of(const verify::SurfaceReport& surface) {
   return outward == 0 ? "inward" : "mixed";
 }
 
-// How often each row of a table was used.
+// Counts how often each row of a table was used.
 template <class Table, class Counts>
 Json counts_by_row(const Table& table, const Counts& counts) {
   Json json;
@@ -55,10 +55,11 @@ Json adaptation_json(const Adaptation& a) {
 std::string adaptation_text(const Adaptation& a) {
   const std::string_view why = a.stopped == Stop::no_gain    ? "no split lowers E_avg"
                                : a.stopped == Stop::dilution ? "the chosen tetrahedron is not too large (D17)"
-                               : a.stopped == Stop::stalled  ? "E_avg has set no new minimum for long (D23)"
-                               : a.stopped == Stop::points   ? "the number of points asked for"
-                               : a.stopped == Stop::e_avg    ? "the E_avg asked for"
-                                                             : "the trace's next decision is not admissible";
+                               : a.stopped == Stop::stalled
+                                   ? "E_avg has reached no new minimum for a long time (D23)"
+                               : a.stopped == Stop::points ? "the requested number of points is reached"
+                               : a.stopped == Stop::e_avg  ? "the requested E_avg is reached"
+                                                           : "the trace's next decision is not admissible";
   std::string text = fmt::format(
       "adapted: {} points inserted, {} flips; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
       "  stopped: {}: {}\n",
@@ -70,12 +71,14 @@ std::string adaptation_text(const Adaptation& a) {
     text += fmt::format("  {} splits refused: rounding would have flattened a piece (D18)\n", a.refused);
   if (a.left)
     text += fmt::format(
-        "  {} new points not moved to the parametric surface, or the boundary would cross itself (D12)\n",
+        "  {} new points not moved to the parametric surface, because the boundary would cross itself "
+        "(D12)\n",
         a.left);
   if (a.kappa_outlier_ratio > 10)
     text += fmt::format(
-        "  the largest curvature is {} the 99th percentile: a few outliers decide eq. (3.6) (D15)\n",
-        std::isinf(a.kappa_outlier_ratio) ? "not 0 as" : fmt::format("{:.0f} times", a.kappa_outlier_ratio));
+        "  the largest curvature is {} the 99th percentile{}: a few outliers decide eq. (3.6) (D15)\n",
+        std::isinf(a.kappa_outlier_ratio) ? "above" : fmt::format("{:.0f} times", a.kappa_outlier_ratio),
+        std::isinf(a.kappa_outlier_ratio) ? ", which is 0" : "");
   return text;
 }
 
@@ -95,8 +98,8 @@ std::string generation_text(const Generation& made) {
         "(Table 3)\n",
         made.dropped_intersections);
   if (made.mapped || made.not_mapped)
-    text += fmt::format("  {} points moved to the parametric surface, {} had to stay (D12)\n", made.mapped,
-                        made.not_mapped);
+    text += fmt::format("  {} points moved to the parametric surface, {} had to stay where they were (D12)\n",
+                        made.mapped, made.not_mapped);
   if (made.not_positive)
     text += fmt::format("  {} tetrahedra are not positive after rounding: the grid is not adapted\n",
                         made.not_positive);

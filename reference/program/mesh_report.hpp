@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a grid came about, as tetproof-mesh tells it. Not installed.
+// Reports how a grid was made, as text and as JSON. Not installed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,10 +11,10 @@
 
 namespace tetproof::reference {
 
-/// For people: a line for the grid and one for each thing worth knowing.
+/// For people: a line for the grid, and a line for each remarkable fact.
 std::string generation_text(const Generation& made);
 
-/// The keys `generation`, and `adaptation` and `follow` if there was one.
+/// Adds the keys `generation` and, if there was one, `adaptation` and `follow`.
 void add_generation(nlohmann::ordered_json& json, const std::string& surface_name,
                     const verify::SurfaceReport& surface, const Generation& made);
 

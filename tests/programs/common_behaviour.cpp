@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every program does the same way: help, versions, one-line errors, exit codes, JSON, threads, whole
-// files.
+// files. Which files may be inputs and outputs: common_files_test.cpp.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "tests/support/run_program.hpp"
+#include "tests/programs/common_jobs.hpp"
 
 namespace tetproof::test {
 namespace {
@@ -14,76 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// A program with arguments that make it do a small job and succeed. SURFACE, MESH and OUT stand for files.
-struct Job {
-  std::string name;
-  std::vector<std::string> arguments;
-  bool writes = false;  // has an OUT
-
-  std::string test_name() const {
-    std::string text = name + (writes ? "_writing" : "");
-    for (char& c : text)
-      if (c == '-') c = '_';
-    return text;
-  }
-};
-
-void PrintTo(const Job& job, std::ostream* stream) {
-  *stream << job.test_name();
-}
-
-const std::vector<Job> jobs{
-    {"tetproof-mesh", {"SURFACE", "-o", "OUT", "--cells", "6"}, true},
-    {"tetproof-verify", {"MESH"}},
-    {"tetproof-verify", {"MESH", "SURFACE", "--fidelity", "0.2", "--voxels", "16"}},
-    {"tetproof-compare", {"MESH", "MESH"}},
-    {"tetproof-convert", {"MESH", "OUT"}, true},
-};
-
-// An octahedron, cut into four tetrahedra around its long diagonal.
-constexpr const char* octahedron_node = "6 3 0 0\n1 1 0 0\n2 0 1 0\n3 -1 0 0\n4 0 -1 0\n5 0 0 1\n6 0 0 -1\n";
-constexpr const char* octahedron_ele = "4 4 0\n1 1 2 6 5\n2 2 3 6 5\n3 3 4 6 5\n4 4 1 6 5\n";
-constexpr const char* octahedron_off =
-    "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 1\n0 0 -1\n"
-    "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n";
-
-class CommonBehaviour : public ::testing::TestWithParam<Job> {
- protected:
-  CommonBehaviour() {
-    inputs.write("octahedron.node", octahedron_node);
-    inputs.write("octahedron.ele", octahedron_ele);
-    inputs.write("octahedron.off", octahedron_off);
-  }
-
-  // The job's command with `out` as the file that it writes, and `more` behind it.
-  std::vector<std::string> command(const std::string& out, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{program(GetParam().name)};
-    for (const std::string& word : GetParam().arguments)
-      words.push_back(word == "SURFACE" ? inputs / "octahedron.off"
-                      : word == "MESH"  ? inputs / "octahedron.node"
-                      : word == "OUT"   ? out
-                                        : word);
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-  Outcome run(const std::vector<std::string>& more = {}) const {
-    return run_program(command(outputs / "out.msh", more));
-  }
-
-  // The one line of an error: the program's name, then what is wrong; nothing on standard output.
-  void expect_refused(const Outcome& outcome) const {
-    EXPECT_EQ(outcome.exit_code, 2) << outcome;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(lines(outcome.err), 1u) << outcome;
-    EXPECT_THAT(outcome.err, StartsWith(GetParam().name + ": "));
-  }
-
-  ScratchFolder inputs, outputs;
-};
-
-INSTANTIATE_TEST_SUITE_P(Programs, CommonBehaviour, ::testing::ValuesIn(jobs), [](const auto& job) {
-  return std::to_string(job.index) + "_" + job.param.test_name();
-});
+INSTANTIATE_TEST_SUITE_P(Programs, CommonBehaviour, ::testing::ValuesIn(jobs), numbered_name);
 
 TEST_P(CommonBehaviour, HelpShowsExamplesFirst) {
   const Outcome help = run_program({program(GetParam().name), "--help"});
@@ -94,6 +25,7 @@ TEST_P(CommonBehaviour, HelpShowsExamplesFirst) {
   EXPECT_THAT(example, HasSubstr(GetParam().name + " "));
   for (const char* option : {"--json", "--threads", "--quiet", "--version", "--help"})
     EXPECT_THAT(help.out, HasSubstr(option));
+  EXPECT_THAT(help.out, HasSubstr("the same file as an input"));
 }
 
 TEST_P(CommonBehaviour, VersionNamesTheLibraries) {

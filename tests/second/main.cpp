@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   second::Settings settings;
   std::vector<int> cells{6};
   app.add_option("SURFACE", surface, "a file or a specification")->required();
-  app.add_option("--cells", cells, "one number, or three")->delimiter(',');
+  app.add_option("--cells", cells, "one number, or three")->delimiter(',')->allow_extra_args(false);
   app.add_option("--region", region)->check(CLI::IsMember({"inside", "outside"}));
   app.add_option("--box-scale", settings.box_scale);
   app.add_option("--on-surface", settings.on_surface);

@@ -49,6 +49,7 @@ double diagonal(const TetMesh& mesh) {
 // Fills in one side with the points and tetrahedra that have no partner.
 void tell(GridSide& side, const NamedGrid& grid, std::vector<Index> points, std::vector<Index> tets) {
   side.file = grid.file;
+  side.not_compared = grid.not_compared;
   side.points = static_cast<std::int64_t>(grid.mesh.points.size());
   side.tets = static_cast<std::int64_t>(grid.mesh.tets.size());
   side.points_only = static_cast<std::int64_t>(points.size());

@@ -2,6 +2,7 @@
 // Writes the result of comparing two grids, as text for people and as JSON.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,13 @@ Json coordinates(const Eigen::Vector3d& at) {
   return at.allFinite() ? Json{at.x(), at.y(), at.z()} : Json();
 }
 
+Json json(const std::vector<Loss>& losses) {
+  Json list = Json::array();
+  for (const Loss& loss : losses)
+    list.push_back({{"item", loss.item}, {"count", loss.count}, {"example", loss.example}});
+  return list;
+}
+
 Json json(const GridSide& side) {
   Json points = Json::array(), tets = Json::array();
   for (const GridSide::Point& point : side.first_points)
@@ -60,18 +68,32 @@ Json json(const GridSide& side) {
           {"points_only_here", side.points_only},
           {"tets_only_here", side.tets_only},
           {"first_points", points},
-          {"first_tets", tets}};
+          {"first_tets", tets},
+          {"not_compared", json(side.not_compared)}};
 }
 
 }  // namespace
 
+bool GridComparison::complete() const {
+  const auto all_elements = [](const GridSide& side) {
+    return std::none_of(side.not_compared.begin(), side.not_compared.end(),
+                        [](const Loss& loss) { return loss.elements; });
+  };
+  return all_elements(reference) && all_elements(other);
+}
+
 std::string comparison_text(const GridComparison& result) {
-  std::string all =
-      result.equal()
-          ? fmt::format("equal up to numbering: {}, {}; matched points are at most {:.3g} apart\n",
-                        counted(result.reference.tets, "tetrahedron", "tetrahedra"),
-                        counted(result.reference.points, "point", "points"), result.largest_distance)
-          : "the grids differ:\n" + text(result.reference) + text(result.other);
+  std::string all = result.equal() ? fmt::format("{}: {}, {}; matched points are at most {:.3g} apart\n",
+                                                 result.complete() ? "equal up to numbering"
+                                                                   : "incomplete, equal in what was compared",
+                                                 counted(result.reference.tets, "tetrahedron", "tetrahedra"),
+                                                 counted(result.reference.points, "point", "points"),
+                                                 result.largest_distance)
+                                   : "the grids differ:\n" + text(result.reference) + text(result.other);
+  for (const GridSide* side : {&result.reference, &result.other})
+    for (const Loss& loss : side->not_compared)
+      all +=
+          fmt::format("not compared, of {}: {}: {} ({})\n", side->file, loss.item, loss.count, loss.example);
   if (result.shared_places)
     all += fmt::format(
         "  note: at {} both have several points; which of them a tetrahedron names is not compared\n",
@@ -81,7 +103,9 @@ std::string comparison_text(const GridComparison& result) {
 
 std::string comparison_json(const GridComparison& result) {
   const Json all{{"compared", "grids"},
-                 {"verdict", result.equal() ? "equal" : "diverges"},
+                 {"verdict", !result.equal()     ? "diverges"
+                             : result.complete() ? "equal"
+                                                 : "incomplete"},
                  {"tolerance", result.tolerance},
                  {"largest_distance", result.largest_distance},
                  {"shared_places", result.shared_places},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-compare OTHER REFERENCE: where two traces part, or what two grids do not share.
+// tetproof-compare OTHER REFERENCE: compares two traces, decision by decision, or two grids.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -8,7 +10,10 @@
 
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
+#include "io/program/report_losses.hpp"
 #include "verify/compare_grids.hpp"
 #include "verify/compare_traces.hpp"
 
@@ -20,6 +25,7 @@ constexpr const char* examples =
     R"(  tetproof-compare mine.jsonl reference.jsonl          where do the two traces part, in the paper's words?
   tetproof-compare mine.msh reference.msh              are the grids equal up to numbering?
   tetproof-compare mine.1.ele grid.msh --tolerance 1e-6 --json -
+  my-mesher part.stl | tetproof-compare - grid.msh     a grid from standard input
 )";
 
 struct Arguments {
@@ -27,9 +33,10 @@ struct Arguments {
   double tolerance = 1e-9;
 };
 
-// By the ending; a file with another ending may still begin as a trace does. What a pipe holds is not known
-// before it is read.
+// Decides by the ending, or else by the first character. Of a pipe and standard input nothing is known before
+// they are read.
 std::optional<bool> is_trace(const std::string& path) {
+  if (path == "-") return std::nullopt;
   if (path.ends_with(".jsonl")) return true;
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -42,16 +49,37 @@ std::optional<bool> is_trace(const std::string& path) {
   return first == '{';
 }
 
-verify::NamedGrid load(const std::string& path) {
+// The cells of a grid that a comparison of tetrahedra leaves out.
+Loss other_cells(const Document& document) {
+  Loss others{.item = "cells that are no tetrahedra", .count = 0, .example = "", .elements = true};
+  for (const ElementBlock& block : document.blocks) {
+    if (!has_other_cells(block)) continue;
+    if (others.count == 0) others.example = fmt::format("element {}", document.element_tag(block.first));
+    others.count += static_cast<std::int64_t>(block.count);
+  }
+  return others;
+}
+
+verify::NamedGrid load(const std::string& path, const program::Common& common) {
   const Document document = read_document(path);
-  verify::NamedGrid grid{path, tet_mesh(document), numbering(document)};
+  program::report_reading(common, document.warnings, document.dropped);
+  verify::NamedGrid grid{path, tet_mesh(document), numbering(document), document.dropped};
   if (grid.mesh.tets.empty()) throw InputError(path + ": holds no tetrahedra");
+  if (const Loss others = other_cells(document); others.count > 0) grid.not_compared.push_back(others);
   return grid;
+}
+
+// The reader of traces opens files only.
+std::string of_trace(const std::string& path) {
+  return path == "-" ? "/dev/stdin" : path;
 }
 
 int work(const Arguments& arguments, const program::Common& common) {
   if (!(arguments.tolerance >= 0))
     throw InputError("--tolerance: expected a number from 0 to 0.1, found nan");
+  program::FilesInUse files(common);
+  files.reads_mesh("OTHER", arguments.other);
+  files.reads_mesh("REFERENCE", arguments.reference);
   const std::optional<bool> other = is_trace(arguments.other), reference = is_trace(arguments.reference);
   const bool traces = reference.value_or(other.value_or(true));
   if (other.value_or(traces) != traces)
@@ -60,53 +88,57 @@ int work(const Arguments& arguments, const program::Common& common) {
                      " is not: two traces or two grids are compared");
   const auto report = [&](const auto& result) {
     if (!common.json.empty()) program::write_text(common.json, verify::comparison_json(result));
-    if (common.json != "-") program::write_text("-", verify::comparison_text(result));
+    if (!files.standard_output_is_taken()) program::write_text("-", verify::comparison_text(result));
   };
   if (traces) {
     program::Progress progress(common, {{"comparing", 1}});
     progress.enter("comparing");
     const verify::TraceComparison result =
-        verify::compare_traces(arguments.other, arguments.reference, arguments.tolerance);
+        verify::compare_traces(of_trace(arguments.other), of_trace(arguments.reference), arguments.tolerance);
     progress.end();
     report(result);
     return result.verdict == verify::TraceComparison::Verdict::diverges ? program::wrong : program::sound;
   }
   program::Progress progress(common, {{"reading", 0.7}, {"comparing", 0.3}});
   progress.enter("reading");
-  const verify::NamedGrid reference_grid = load(arguments.reference), other_grid = load(arguments.other);
+  const verify::NamedGrid reference_grid = load(arguments.reference, common),
+                          other_grid = load(arguments.other, common);
   progress.enter("comparing");
   const verify::GridComparison result =
       verify::compare_grids(other_grid, reference_grid, arguments.tolerance);
   progress.end();
   report(result);
-  return result.equal() ? program::sound : program::wrong;
+  if (!result.equal()) return program::wrong;
+  return result.complete() ? program::sound : program::incomplete;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const program::Description description{
-      "Compares two traces of the paper's method (as tetproof-mesh --trace writes them) and names the first "
-      "decision where "
-      "they differ, or two grids up to numbering. Exit code 0: equal, or parted where two choices tie or "
-      "rounding decides, 1: "
-      "different, 2: bad "
-      "input, 3: own failure.",
+      "Compares two traces of the paper's method, as tetproof-mesh --trace writes them, and names the first "
+      "decision where they differ; or compares two grids up to numbering. Exit code 0: equal, or the traces "
+      "part where two choices tie or rounding decides, 1: different, 2: bad input, 3: own failure, 4: no "
+      "difference found, but not all of the grids could be compared.",
       examples,
       {}};
   return program::run(
       argc, argv, description, [](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto arguments = std::make_shared<Arguments>();
-        app.add_option("OTHER", arguments->other, "the trace (.jsonl) or grid (.msh, .node/.ele) in question")
+        app.add_option("OTHER", arguments->other,
+                       "the trace (.jsonl) or the grid in question; - is standard input. Endings of grids: " +
+                           program::grid_endings_read())
             ->required()
             ->always_capture_default(false);
-        app.add_option("REFERENCE", arguments->reference, "the one to compare it with")
+        app.add_option("REFERENCE", arguments->reference,
+                       "the trace or grid to compare it with; one of the two can be -")
             ->required()
             ->always_capture_default(false);
-        app.add_option("--tolerance", arguments->tolerance,
-                       "points closer than this, in diagonals of the reference's box, are the same; of "
-                       "traces also the relative "
-                       "difference of numbers that are the same; 0: equal to the last bit")
+        app.add_option(
+               "--tolerance", arguments->tolerance,
+               "points that are closer than this are the same, in diagonals of the reference's box; in "
+               "traces, numbers whose relative difference is less are the same, too; 0: equal to the "
+               "last bit")
             ->type_name("T")
             ->check(CLI::Range(0.0, 0.1));
         return [arguments, &common] { return work(*arguments, common); };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tetproof-verify MESH [SURFACE]: judges a tetrahedral mesh, and whether it fills a surface.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CGAL/version.h>
 #include <openvdb/version.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -12,11 +13,13 @@
 #include <utility>
 
 #include "corpus/surfaces.hpp"
-#include "io/bytes/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/model/element_types.hpp"
+#include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
+#include "io/program/report_losses.hpp"
 #include "verify/defects.hpp"
 #include "verify/verify.hpp"
 
@@ -30,10 +33,12 @@ constexpr const char* examples =
   tetproof-verify air.msh car.stl --region outside
   tetproof-verify tetgen.1.node part.stl --fidelity 0 --json -
   tetproof-verify grid.msh --junit grid.xml       for a CI system
+  my-mesher part.stl | tetproof-verify - part.stl --from vtk
 )";
 
 struct Arguments {
   std::string mesh, surface, region, defects, junit;
+  ReadOptions mesh_read, surface_read;
   verify::Options options;
   bool list_checks = false, list_surfaces = false;
 };
@@ -47,15 +52,16 @@ struct Loaded {
 };
 
 // The document, which may be many times as large, is gone before the judge starts.
-Loaded load(const std::string& path) {
-  const Document document = read_document(path);
+Loaded load(const Arguments& arguments, const program::Common& common) {
+  const Document document = read_document(arguments.mesh, arguments.mesh_read);
+  program::report_reading(common, document.warnings, document.dropped);
   Loaded loaded{
       tet_mesh(document), numbering(document), tet_regions(document), verify::unjudged(document), {}};
   if (loaded.mesh.tets.empty()) {
     std::string others;
     for (const verify::NotJudged& entry : loaded.unjudged.elements)
       others += fmt::format("{}{} {}", others.empty() ? ", but " : ", ", entry.count, entry.what);
-    throw InputError(path + ": holds no tetrahedra" + others);
+    throw InputError(arguments.mesh + ": holds no tetrahedra" + others);
   }
   std::size_t higher = 0;
   for (const ElementBlock& block : document.blocks) {
@@ -68,14 +74,30 @@ Loaded load(const std::string& path) {
   return loaded;
 }
 
-verify::Report judge(const TetMesh& mesh, const Arguments& arguments) {
+verify::Report judge(const TetMesh& mesh, Arguments& arguments, const program::Common& common) {
   if (arguments.surface.empty()) return verify::verify(mesh, arguments.options);
-  const TriangleSurface surface = corpus::open_surface(arguments.surface);
+  const SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
+  program::report_reading(common, file.warnings, file.dropped);
+  verify::add_unread_surface(arguments.options.unjudged, file.dropped);
   try {
-    return verify::verify(mesh, surface, arguments.options);
+    return verify::verify(mesh, file.surface, arguments.options);
   } catch (const InputError& error) {
     throw InputError(arguments.surface + ": " + error.what());
   }
+}
+
+// Declares the run's files, and refuses outputs that could not be written after the work.
+program::FilesInUse files_of(const Arguments& arguments, const program::Common& common) {
+  program::FilesInUse files(common);
+  files.reads_mesh("MESH", arguments.mesh, arguments.mesh_read);
+  const bool reads_surface = !arguments.surface.empty() && !corpus::is_generated(arguments.surface);
+  if (reads_surface) files.reads_mesh("SURFACE", arguments.surface, arguments.surface_read);
+  if (!reads_surface && !arguments.surface_read.format.empty())
+    throw InputError("--surface-from needs a SURFACE that is a file");
+  if (!arguments.defects.empty()) program::check_holds_tetrahedra(arguments.defects);
+  files.writes_mesh("--defects", arguments.defects, {});
+  files.writes("--junit", arguments.junit);
+  return files;
 }
 
 int work(const Arguments& given, const program::Common& common) {
@@ -98,28 +120,27 @@ int work(const Arguments& given, const program::Common& common) {
     arguments.options.region = regions.at(arguments.region);
   }
 
-  // Measuring costs half as much as the proof; who wants the numbers reads the JSON.
+  // Measuring costs half as much as the proof. The measurements are printed as JSON only.
   arguments.options.quality = !common.json.empty();
 
-  if (common.json == "-" && arguments.junit == "-")
-    throw InputError("--json - and --junit -: only one of them fits on standard output");
-  if (!arguments.defects.empty()) check_creatable(arguments.defects);
-  if (!arguments.junit.empty() && arguments.junit != "-") check_creatable(arguments.junit);
+  program::FilesInUse files = files_of(arguments, common);
   const auto start = std::chrono::steady_clock::now();
-  Loaded loaded = load(arguments.mesh);
+  Loaded loaded = load(arguments, common);
   arguments.options.regions = std::move(loaded.regions);
   arguments.options.unjudged = std::move(loaded.unjudged);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  verify::Report report = judge(loaded.mesh, arguments);
+  verify::Report report = judge(loaded.mesh, arguments, common);
   report.notes.insert(report.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   if (arguments.options.timings) report.seconds.insert(report.seconds.begin(), {"reading", reading});
 
-  if (!arguments.defects.empty())
-    verify::write_defects(arguments.defects, loaded.mesh, loaded.numbering, report);
+  if (!arguments.defects.empty()) {
+    const Document defects = verify::defects_document(loaded.mesh, loaded.numbering, report);
+    program::MeshOutput(common, files, "--defects", arguments.defects, defects).write();
+  }
   if (!common.json.empty()) program::write_text(common.json, verify::report_json(report, loaded.numbering));
   if (!arguments.junit.empty())
     program::write_text(arguments.junit, verify::report_junit(report, arguments.mesh, loaded.numbering));
-  if (common.json != "-" && arguments.junit != "-")
+  if (!files.standard_output_is_taken())
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
   return verify::sound(report)       ? program::sound
          : verify::defective(report) ? program::wrong
@@ -139,40 +160,56 @@ int main(int argc, char** argv) {
       argc, argv, description, [](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto arguments = std::make_shared<Arguments>();
         verify::Options& options = arguments->options;
-        app.add_option("MESH", arguments->mesh, "the mesh: .msh, .node/.ele")->always_capture_default(false);
-        app.add_option("SURFACE", arguments->surface, "a surface file, or a generated one: sphere:r=1,n=5000")
+        app.add_option("MESH", arguments->mesh,
+                       "the mesh; - is standard input. Endings: " + program::grid_endings_read())
             ->always_capture_default(false);
+        app.add_option("SURFACE", arguments->surface,
+                       fmt::format("a surface file, or a generated surface as in sphere:r=1,n=5000; - is "
+                                   "standard input. Endings: {}",
+                                   fmt::join(known_endings(), " ")))
+            ->always_capture_default(false);
+        app.add_option("--from", arguments->mesh_read.format,
+                       "MESH's format, where neither ending nor content tell: " + program::format_names())
+            ->type_name("FORMAT");
+        app.add_option("--surface-from", arguments->surface_read.format, "SURFACE's format, likewise")
+            ->type_name("FORMAT");
         app.add_option("--region", arguments->region,
-                       "what of the surface the mesh should fill; inside when a SURFACE is given")
+                       "the part of space that the mesh should fill; inside when a SURFACE is given")
             ->type_name("inside|outside|none")
             ->check(CLI::IsMember({"inside", "outside", "none"}))
             ->always_capture_default(false);
         app.add_option("--fidelity", options.fidelity,
                        "allowed distance between boundary and surface, in units of the surface's box "
-                       "diagonal; the allowed volume "
-                       "difference is this x diagonal x area; 0: the mesh reproduces the surface exactly")
+                       "diagonal; the allowed volume difference is this x diagonal x area; 0: the mesh "
+                       "reproduces the surface exactly")
             ->type_name("D")
             ->check(CLI::NonNegativeNumber);
         app.add_flag("--strict-topology", options.strict_topology,
-                     "topology, cavities and non-manifold edges and vertices fail instead of warn (so does "
-                     "--fidelity 0)");
-        app.add_option("--voxels", options.voxels,
-                       "voxels along the longest side for the independent volume account; 0: without")
+                     "findings of topology, cavities and non-manifold edges and vertices are failures, not "
+                     "warnings; so they are with --fidelity 0");
+        app.add_option(
+               "--voxels", options.voxels,
+               "voxels along the longest side for the second, independent measurement of the volume; 0: none")
             ->type_name("N")
             ->check(CLI::Range(0, 1024));
-        app.add_option("--check", options.check, "only these checks, by id")
+        // One word holds the list: the next one is a MESH.
+        app.add_option("--check", options.check, "only these checks, by id, as in flat,inverted")
             ->type_name("LIST")
-            ->delimiter(',');
-        app.add_option("--skip", options.skip, "without these checks, by id")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        app.add_option("--skip", options.skip, "all checks except these, by id")
             ->type_name("LIST")
-            ->delimiter(',');
+            ->delimiter(',')
+            ->allow_extra_args(false);
         app.add_flag("--list-checks", arguments->list_checks,
-                     "id, what it proves, accuracy and severity of every check");
+                     "print the id of every check, what it proves, its accuracy and its severity");
         app.add_flag("--list-surfaces", arguments->list_surfaces,
-                     "the generated surfaces with their parameters");
-        app.add_option("--defects", arguments->defects,
-                       "write the broken tetrahedra with one ring around them, a cell array named by id for "
-                       "each check that found any")
+                     "print the generated surfaces with their parameters");
+        app.add_option(
+               "--defects", arguments->defects,
+               "write the broken tetrahedra with one ring around them, and a cell array for each check "
+               "that found any, named by its id. Endings: " +
+                   program::grid_endings_written())
             ->type_name("FILE.vtu")
             ->always_capture_default(false);
         app.add_option("--junit", arguments->junit,

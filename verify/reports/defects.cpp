@@ -125,9 +125,13 @@ class Defects {
 
 }  // namespace
 
+Document defects_document(const TetMesh& mesh, const Numbering& numbering, const Report& report) {
+  return Defects(mesh, numbering, report).document(report);
+}
+
 void write_defects(const std::string& path, const TetMesh& mesh, const Numbering& numbering,
                    const Report& report) {
-  write_document(path, Defects(mesh, numbering, report).document(report));
+  write_document(path, defects_document(mesh, numbering, report));
 }
 
 }  // namespace tetproof::verify

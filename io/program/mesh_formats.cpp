@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/program/mesh_formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "io/document.hpp"
+#include "io/error.hpp"
+#include "io/gmsh/gmsh_import.hpp"
+#include "io/tet_mesh.hpp"
+#include "io/writing.hpp"
+
+namespace tetproof::program {
+namespace {
+
+Document smallest_grid() {
+  return document_of(TetMesh{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .tets = {{0, 1, 2, 3}}});
+}
+
+// Whether the file is written, and tetrahedra with it. Of TetGen's set a .vol, for example, would not be.
+bool holds_tetrahedra(const std::string& path) {
+  const Document grid = smallest_grid();
+  PlannedFile file(path, grid);
+  for (const Loss& loss : file.losses())
+    if (loss.item.starts_with("tetrahedra")) return false;
+  const std::vector<std::string> written = file.files();
+  return std::find(written.begin(), written.end(), path) != written.end();
+}
+
+std::string tetrahedra_endings() {
+  std::vector<std::string> endings = known_endings();
+  std::erase_if(endings, [](const std::string& ending) { return !holds_tetrahedra("grid" + ending); });
+  return fmt::format("{}", fmt::join(endings, " "));
+}
+
+}  // namespace
+
+void check_holds_tetrahedra(const std::string& path) {
+  if (holds_tetrahedra(path)) return;
+  std::string what = format_of(path).what;
+  if (what.ends_with(" surface")) what.resize(what.size() - std::string(" surface").size());
+  if (format_of(path).name == "tetgen") what = "TetGen " + ending_of(path);
+  throw InputError(
+      fmt::format("{}: {} holds no tetrahedra; expected one of {}", path, what, tetrahedra_endings()));
+}
+
+std::string grid_endings_written() {
+  return tetrahedra_endings();
+}
+
+std::string grid_endings_read() {
+  return fmt::format("{}; through Gmsh: {}", tetrahedra_endings(), fmt::join(io::gmsh_endings(), " "));
+}
+
+std::string endings_read() {
+  return fmt::format("{}; through Gmsh: {}", fmt::join(known_endings(), " "),
+                     fmt::join(io::gmsh_endings(), " "));
+}
+
+std::string format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : formats()) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace tetproof::program
