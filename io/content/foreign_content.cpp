@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/content/content.hpp"
 #include "io/content/head.hpp"

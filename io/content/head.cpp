@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/content/head.hpp"
+#include "io/bytes/scanner.hpp"
 
 #include <algorithm>
 #include <string>

@@ -9,6 +9,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/content/content.hpp"
 #include "io/content/head.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 #include "io/model/node_index.hpp"
 #include "io/model/tag_sets.hpp"

@@ -2,6 +2,7 @@
 // Reads the two sections of .msh files that are always text: $MeshFormat and $PhysicalNames.
 #include <fmt/format.h>
 
+#include "io/bytes/scanner.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/msh/msh_sections.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {

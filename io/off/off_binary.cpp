@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
 #include "io/surface/rows.hpp"

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 
 namespace tetproof::io {

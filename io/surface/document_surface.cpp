@@ -9,6 +9,7 @@
 #include <string>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 
 namespace tetproof::io {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/scanner.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 
 namespace tetproof::io {

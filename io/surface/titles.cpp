@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/surface/titles.hpp"
+#include "io/bytes/scanner.hpp"
 
 namespace tetproof::io {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 
 namespace tetproof::io {
 

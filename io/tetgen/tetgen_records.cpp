@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "io/bytes/scanner.hpp"
 #include "io/loss/loss_list.hpp"
 
 namespace tetproof::io {

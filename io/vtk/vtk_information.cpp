@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_words.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 
 namespace tetproof::io {

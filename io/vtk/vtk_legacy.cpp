@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/bytes/byte_order.hpp"
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
