@@ -13,22 +13,23 @@
 
 namespace tetproof {
 
-/// A run of elements of one type in one entity. The elements of a document stand block after block, in the
-/// file's order.
+/// A run of elements of one type in one entity. The blocks of a document follow each other in the file's
+/// order.
 struct ElementBlock {
   int type = 4;                 ///< Gmsh's number of the element type, see io/model/element_types.hpp
   int dim = 3;                  ///< dimension of the entity
   std::int64_t entity = 0;      ///< tag of the entity; 0: none
   std::int32_t groups = 0;      ///< physical groups: position in `Document::tag_sets`
-  std::int32_t partitions = 0;  ///< likewise; a negative one is a ghost
+  std::int32_t partitions = 0;  ///< partitions: position there; a negative partition is a ghost's
   std::int32_t nodes_each = 4;
   std::size_t count = 0;
-  std::size_t first = 0;     ///< position of its first element
-  std::size_t nodes = 0;     ///< where its connectivity starts in `Document::connectivity`
-  bool of_boundary = false;  ///< a polygon of TetGen's .poly or .smesh: what to mesh, not a face of the mesh
+  std::size_t first = 0;  ///< position of its first element
+  std::size_t nodes = 0;  ///< where its connectivity starts in `Document::connectivity`
+  bool of_boundary =
+      false;  ///< a polygon of a .poly or .smesh: of the boundary to mesh, not a face of a mesh
 };
 
-/// A run of nodes of one entity; nodes that no block covers belong to none.
+/// A run of nodes of one entity. Nodes that no block covers belong to no entity.
 struct NodeBlock {
   int dim = 0;
   std::int64_t entity = 0;
@@ -42,12 +43,12 @@ struct Entity {
   int dim = 0;
   std::int32_t groups = 0;  ///< physical groups: position in `Document::tag_sets`
   std::int64_t tag = 0;
-  std::array<double, 6> box{};  ///< xmin ymin zmin xmax ymax zmax; a point's coordinates stand in both halves
+  std::array<double, 6> box{};  ///< xmin ymin zmin xmax ymax zmax; of a point: its coordinates, twice
   std::vector<std::int64_t> boundary{};  ///< signed tags of entities of one dimension less
 
-  // Of an entity that partitioning made:
+  // For an entity that partitioning made:
   int parent_dim = -1;          ///< -1: not partitioned
-  std::int64_t parent = 0;      ///< tag of the entity that it is a part of
+  std::int64_t parent = 0;      ///< tag of the entity of which it is a part
   std::int32_t partitions = 0;  ///< position in `Document::tag_sets`
 };
 
@@ -63,28 +64,28 @@ struct GroupName {
   std::string name;
 };
 
-/// Named values, `components` for each item: a node, an element, or a node of an element. `reals` or
-/// `integers`, the other one is empty.
+/// Named values, `components` numbers for each item: a node, an element, or a node of an element. Either
+/// `reals` or `integers` has them, the other is empty.
 struct Values {
   std::string name;
   int components = 1;
   std::vector<double> reals;
   std::vector<std::int64_t> integers;
-  std::vector<std::string> labels;  ///< names of the integers: 0 is `labels[0]`; empty: they are just numbers
+  std::vector<std::string> labels;  ///< names of the integers: `labels[0]` is that of 0; empty: plain numbers
 
-  // Of which nodes or elements: those listed in `at`, or else `items()` of them from `first` on.
+  // The nodes or elements that have values: those listed in `at`, or else `items()` of them from `first` on.
   std::size_t first = 0;
   std::vector<Index> at;            ///< positions; -1-k: the number `Document::unknown[k]`, which none has
-  std::vector<std::int32_t> nodes;  ///< values of elements' nodes: for each element, of how many nodes
+  std::vector<std::int32_t> nodes;  ///< for values of elements' nodes: the number of nodes of each element
 
-  // Of a step of a view, as Gmsh's sections of data tell it.
+  // The step of a view, as in Gmsh's sections of data.
   bool of_view = false;
   double time = 0;
   std::int64_t step = 0, partition = 0;
   std::string interpolation;  ///< the name of its interpolation scheme
 
   std::size_t size() const { return reals.empty() ? integers.size() : reals.size(); }
-  /// How many nodes or elements have values.
+  /// The number of nodes or elements that have values.
   std::size_t items() const {
     return !nodes.empty() ? nodes.size()
            : !at.empty()  ? at.size()
@@ -92,7 +93,7 @@ struct Values {
   }
 };
 
-/// An entity whose nodes are those of another one, moved.
+/// An entity whose nodes are those of another entity, moved.
 struct PeriodicLink {
   int dim = 0;
   std::int64_t entity = 0, master = 0;
@@ -107,20 +108,20 @@ struct GhostElement {
   std::vector<std::int64_t> ghosts;  ///< partitions
 };
 
-/// A facet of TetGen's .poly that is more than one polygon: `polygons` elements from `first` on, of which a
-/// line is an edge and a point a vertex in its plane; and a point in each of its holes.
+/// A facet of TetGen's .poly that is more than one polygon: `polygons` elements from `first` on. A line among
+/// them is an edge in the facet's plane, a point a vertex in it. `holes`: a point in each of its holes.
 struct Facet {
   std::size_t first = 0, polygons = 1;
   std::vector<Eigen::Vector3d> holes;
 };
 
-/// A point in a region of TetGen's .poly, and what it says of it.
+/// A point in a region of TetGen's .poly, with the region's attribute and bound.
 struct Region {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  double attribute = 0, max_volume = -1;  ///< a bound that is not positive: none
+  double attribute = 0, max_volume = -1;  ///< not positive: no bound
 };
 
-/// TetGen's .var: an upper bound for the area of the triangles of a facet, or for the length of a segment.
+/// Bounds in TetGen's .var: for the area of the triangles of a facet, and for the length of a segment.
 struct AreaBound {
   std::int64_t marker = 0;
   double area = 0;
@@ -137,34 +138,34 @@ struct Voronoi {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of a ray
   };
   struct Face {
-    std::array<Index, 2> cells{};  ///< a cell is that of the node with this position
-    std::vector<Index> edges;      ///< a last -1: it is open
+    std::array<Index, 2> cells{};  ///< positions of the nodes whose cells these are
+    std::vector<Index> edges;      ///< -1 as the last: the face is open
   };
   std::vector<Eigen::Vector3d> points;
   std::vector<Edge> edges;
   std::vector<Face> faces;
-  std::vector<std::vector<Index>> cells;  ///< faces; a last -1: it is open
-  std::int64_t first = 0;                 ///< numbered from here on in the files
+  std::vector<std::vector<Index>> cells;  ///< faces of each; -1 as the last: the cell is open
+  std::int64_t first = 0;                 ///< the first number in the files
 };
 
-/// A column of a table: numbers, or where `lengths` is not empty a list of so many of them in each row.
+/// A column of a table: a number or text in each row, or a list in each row if `lengths` is not empty.
 struct Column {
-  std::string name, type;  ///< the type as its file calls it: "float", "int32", "Float64", ...
+  std::string name, type;  ///< the type by its name in the file: "float", "int32", "Float64", ...
   int components = 1;
-  std::vector<double> reals;  ///< reals, integers or texts, the others are empty
+  std::vector<double> reals;  ///< one of reals, integers and texts; the others are empty
   std::vector<std::int64_t> integers;
   std::vector<std::string> texts;
   std::vector<std::int32_t> lengths;
 };
 
-/// What a PLY file says of other things than vertices and faces, or VTK's field data.
+/// An element of a PLY file that is neither vertices, faces nor edges; or VTK's field data.
 struct Table {
   std::string name;
   std::size_t rows = 0;
   std::vector<Column> columns;
 };
 
-/// A section of a .msh file that is kept as it stood.
+/// A section of a .msh file that is kept as it is.
 struct Section {
   std::string name;    ///< without the dollar sign
   std::string body;    ///< from after the line `$name` to `$Endname`
@@ -174,16 +175,15 @@ struct Section {
   bool before_nodes = false;
 };
 
-/// Something that is lost between a file and a document: an item that one has and the other does not.
+/// An item that a file has and its document has not, or the other way round.
 struct Loss {
-  std::string item;        ///< what is lost
+  std::string item;        ///< the kind of thing that is lost
   std::int64_t count = 0;  ///< how many of it
-  std::string example;     ///< the first one
+  std::string example;     ///< the first of them
   bool elements = false;   ///< elements that the mesh lacks
 };
 
-/// A mesh with everything its file said of it. Nothing is promised but that positions stay inside their
-/// arrays.
+/// A mesh with everything in its file. The only promise is that positions stay inside their arrays.
 struct Document {
   std::string path;    ///< the file, for messages; empty for none
   std::string format;  ///< "msh22", "tetgen", "stl", ...; empty when no file was read
@@ -210,10 +210,10 @@ struct Document {
   std::vector<GhostElement> ghost_elements;
   std::vector<PeriodicLink> periodic;
 
-  // TetGen's are called "attributes" and "markers", and what io/tetgen/tetgen.hpp says.
+  // io/tetgen/tetgen.hpp lists the names of TetGen's: "attributes", "markers", ...
   std::vector<Values> node_values, element_values, element_node_values;
 
-  std::vector<Facet> facets;  ///< those of more than one polygon, or with holes
+  std::vector<Facet> facets;  ///< only those of more than one polygon, or with holes
   std::vector<Eigen::Vector3d> holes;
   std::vector<Region> regions;
   std::vector<AreaBound> area_bounds;
@@ -223,8 +223,8 @@ struct Document {
   std::vector<Table> tables;
   std::vector<Section> sections;
 
-  std::vector<std::string> warnings;  ///< legal but suspicious, each with its place
-  std::vector<Loss> dropped;  ///< what the file has and the reader did not take, see io/loss/loss_list.hpp
+  std::vector<std::string> warnings;  ///< of what is legal but suspicious, each with its place
+  std::vector<Loss> dropped;          ///< items of the file that the reader did not take
 
   std::size_t elements() const { return blocks.empty() ? 0 : blocks.back().first + blocks.back().count; }
   std::int64_t node_tag(std::size_t i) const {
@@ -233,14 +233,14 @@ struct Document {
   std::int64_t element_tag(std::size_t i) const {
     return element_tags.empty() ? first_element + static_cast<std::int64_t>(i) : element_tags[i];
   }
-  /// The number that the file gave to a node of the connectivity.
+  /// The number of a node of the connectivity in the file.
   std::int64_t named(Index i) const { return i < 0 ? unknown[-1 - i] : node_tag(i); }
 };
 
-/// All tetrahedra of any order in the document's order, by their corners. Points are the document's nodes
-/// without those that only stand on edges, faces or inside of elements of higher order.
+/// All tetrahedra of any order, by their corners, in the document's order. Points are the document's nodes,
+/// without nodes that are no corner but lie on edges, on faces or inside of elements of higher order.
 TetMesh tet_mesh(const Document&);
-/// How the file numbered the points and tetrahedra of `tet_mesh(document)`.
+/// The file's numbers of the points and tetrahedra of `tet_mesh(document)`.
 Numbering numbering(const Document&);
 
 /// Whether the block holds elements of dimension 3 that are no tetrahedra: hexahedra, polyhedra, ...
@@ -248,9 +248,9 @@ bool has_other_cells(const ElementBlock&);
 /// The points of `tet_mesh(document)` that belong to such elements, ascending.
 std::vector<Index> points_of_other_cells(const Document&);
 
-/// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, its entity
-/// where it has none; TetGen's first attribute. Empty where all are in one region, or attributes are not
-/// whole numbers.
+/// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, or its
+/// entity if it has none; for TetGen, its first attribute. Empty if all are in one region, or if attributes
+/// are not whole numbers.
 std::vector<std::int64_t> tet_regions(const Document&);
 
 /// The document's faces as triangles: triangles and quadrangles of any order by their corners, and polygons.
@@ -267,10 +267,10 @@ std::vector<std::int64_t> tet_regions(const Document&);
 /// has fewer than three corners, is not planar, not convex, or of a facet with several polygons or holes.
 TriangleSurface surface_of(const Document&);
 
-/// Tetrahedra in volume 1, numbered from 1. Indices that name no point (any number outside [0, points))
-/// become unknown numbers: index i is the number i + 1, as all others.
+/// Tetrahedra in volume 1, numbered from 1. An index i that names no point (outside [0, points)) becomes the
+/// unknown number i + 1.
 Document document_of(const TetMesh&);
-/// Triangles in surface 1, numbered from 1, indices as above.
+/// Triangles in surface 1, numbered from 1, with indices as above.
 Document document_of(const TriangleSurface&);
 
 }  // namespace tetproof

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one exception for what a user can mend: a bad file, a bad surface, a bad option.
+// The exception for everything that a user can correct: a bad file, a bad surface, a bad option.
 #pragma once
 
 #include <stdexcept>
@@ -8,9 +8,9 @@
 
 namespace tetproof {
 
-/// Bad input. `what()` is one line that tells the reader what to do: place, what was expected, what was
-/// found, as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. What names
-/// from files bring along of control characters is shown as '?'.
+/// Bad input. `what()` is one line that tells the user what to do: the place, what was expected and what was
+/// found, as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. Control
+/// characters, which names from files may hold, are shown as '?'.
 struct InputError : std::runtime_error {
   explicit InputError(std::string message) : std::runtime_error(in_one_line(std::move(message))) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files of every format, by their endings.
+// Reads and writes mesh files of every format.
 #pragma once
 
 #include <optional>
@@ -10,54 +10,62 @@
 
 namespace tetproof {
 
-/// A format that a document can be read from or written to.
+/// A format in which documents are read and written.
 struct Format {
   std::string name;  ///< as `--to` takes it
-  std::string what;  ///< one line
-  std::vector<std::string>
-      endings;  ///< lower case with the dot; of a file named to be written, the first format wins
+  std::string what;  ///< its name for messages
+  /// In lower case with the dot. If several formats have an ending, a file with it is written in the first
+  /// one.
+  std::vector<std::string> endings;
   bool reads = false;
-  bool ascii = true, binary = true;  ///< which of the two it can be written in
-  bool usually_binary = false;       ///< which of them it is unless one is asked for
-  std::string binary_ending;         ///< of `endings`, the one that binary files have, and no others
+  bool ascii = true, binary = true;  ///< the forms in which it can be written
+  bool usually_binary = false;       ///< the form in which it is written if none is asked for
+  std::string binary_ending;         ///< the one of `endings` that all binary files have, and no others
 };
 
-/// All formats: msh41, msh40, msh22, tetgen, vtu, vtk, medit, stl, off, obj, ply.
+/// All formats: msh41, msh40, msh22, tetgen, poly, smesh, vtu, vtk, medit, stl, off, obj, ply.
 const std::vector<Format>& formats();
 /// The ending of a path, in lower case and with its dot; empty if there is none.
 std::string ending_of(const std::string& path);
-/// Their endings, each once. All are read as well as written, and beside them `io::gmsh_endings()` are read.
+/// The endings of all formats, each once. All are read and written; `io::gmsh_endings()` are only read.
 std::vector<std::string> known_endings();
-/// The format that `path`'s ending stands for when it is written. InputError naming the known endings.
+/// The format in which a file with `path`'s ending is written. InputError, with the known endings, for an
+/// unknown one.
 const Format& format_of(const std::string& path);
-/// The format called `name`. InputError naming the known ones.
+/// The format called `name`. InputError, with the known names, for an unknown one.
 const Format& format_named(const std::string& name);
 
 struct WriteOptions {
-  std::string format;          ///< a name of `formats()`; empty: by the path's ending
-  std::optional<bool> binary;  ///< not set: ASCII for .msh, binary for .vtu, .vtk, .meshb, .stl and .ply
+  std::string format;          ///< a name of `formats()`; empty: the path's ending decides
+  std::optional<bool> binary;  ///< not set: text for .msh, binary for .vtu, .vtk, .meshb, .stl and .ply
 };
 
-/// What `options` and the path's ending come to. InputError when the ending says nothing, or the format
-/// cannot be written so.
+/// The format and form in which a file is written.
 struct Encoding {
   std::string format;
   bool binary = false;
 };
+/// What `options` and the path's ending ask for. InputError if the ending is unknown, or if the format cannot
+/// be written in this form.
 Encoding encoding_of(const std::string& path, const WriteOptions& options);
 
 /// How a file is read.
 struct ReadOptions {
-  /// A name of `formats()`, as `--from` takes it: it overrules the content and the ending. Empty: these two
-  /// decide.
+  /// A name of `formats()`, as `--from` takes it: it overrules content and ending. Empty: these two decide.
   std::string format;
 };
 
-/// Reads .msh 1 to 3, 4.0 and 4.1 (ASCII, and binary of both byte orders), TetGen's .node and .ele (either
-/// brings the other), .vtu, .vtk, .mesh, .meshb, surfaces, and through Gmsh what only it reads:
-/// `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. What the format permits is read as it is written: indices
-/// that name no node, NaN, repetitions. InputError, with the file's line or byte offset, for what it does not
-/// permit.
+/// Reads .msh 1 to 3, 4.0 and 4.1 (text, and binary of both byte orders), TetGen's files (.node and .ele each
+/// bring the other), .vtu, .vtk, .mesh, .meshb, surfaces; and, through Gmsh, the formats that only Gmsh
+/// reads: `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. "-" is standard input, which brings no file beside
+/// it.
+///
+/// If the content is clearly that of another format than the ending's, the content decides, and the document
+/// has a warning. If there is no ending, or an unknown one, the content decides as well.
+///
+/// A file is read as it is written if its format permits it: with indices that name no node, NaN,
+/// repetitions. Items that the reader does not take are in `Document::dropped`. InputError, with the file's
+/// line or byte offset, for what the format does not permit; with the format's name for a foreign format.
 Document read_document(const std::string& path, const ReadOptions& options = {});
 
 /// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in

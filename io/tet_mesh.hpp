@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tetrahedral mesh as plain arrays, and the numbers its file gave to points and tetrahedra.
+// A tetrahedral mesh as plain arrays, and the file's numbers of its points and tetrahedra.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ using Index = std::int32_t;  ///< position in an array of points, triangles or t
 
 /// A tetrahedral mesh. A positive tetrahedron {a, b, c, d} has (b-a) x (c-a) . (d-a) > 0.
 ///
-/// Nothing is promised: a file may name points that do not exist (any index outside [0, points.size())), hold
-/// NaN, or repeat itself. `verify` says so.
+/// There are no promises: a file may name points that do not exist (any index outside [0, points.size())),
+/// hold NaN, or repeat itself. `verify` finds out.
 struct TetMesh {
   std::vector<Eigen::Vector3d> points;     ///< coordinates [length]
   std::vector<std::array<Index, 4>> tets;  ///< four positions in `points` each
@@ -24,13 +24,12 @@ struct TetMesh {
 /// positive tetrahedron each runs anticlockwise.
 inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// How a file numbers what the arrays hold, so that messages speak of the file. Empty vectors: numbered from
-/// `first`.
+/// The file's numbers of the points and tetrahedra, for messages. Empty vectors: numbered from `first`.
 struct Numbering {
   std::vector<std::int64_t> points;  ///< number of each point
   std::vector<std::int64_t> tets;    ///< number of each tetrahedron
-  std::vector<std::int64_t>
-      unknown;  ///< index -1-k in a tetrahedron stands for the number unknown[k], which no point has
+  /// Index -1-k in a tetrahedron stands for the number unknown[k], which no point has.
+  std::vector<std::int64_t> unknown;
   std::int64_t first = 0;
 
   std::int64_t point(Index i) const {

@@ -62,7 +62,10 @@ void mesh(const std::string& path) {
   const Numbering names = numbering(read);
   if (!names.tets.empty() && names.tets.size() != view.tets.size())
     throw std::logic_error("tetrahedra without a number");
-  surface_of(read);
+  try {
+    surface_of(read);
+  } catch (const InputError&) {  // it has no faces, or none that can be cut
+  }
   tet_regions(read);
   written_again(read, path);
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/cube_files.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
@@ -141,6 +142,23 @@ TEST(Mesh, JsonHasTheAgreedKeys) {
   EXPECT_EQ(generation["table3"]["3a"], 0);
   for (const char* key : {"moved_to_surface", "collapsed", "mended", "not_positive", "dropped_intersections"})
     EXPECT_TRUE(generation[key].is_number_integer()) << key;
+}
+
+// The same solid from every format, of triangles, of quadrangles and of both: the same grid.
+TEST(Mesh, TakesACubeFromEveryFormat) {
+  const ScratchFolder folder;
+  std::string first;
+  for (const std::string& ending : cube_endings)
+    for (const std::size_t cut : {6, 0, 3}) {
+      const Outcome run = mesh({folder.write("cube" + ending, cube_file(ending, cube_faces(cut))), "-o",
+                                folder / "grid.msh", "--cells", "4", "--json", "-"});
+      ASSERT_EQ(run.exit_code, 0) << ending << cut << run;
+      const json report = json::parse(run.out);
+      EXPECT_NEAR(report["surface"]["volume"].get<double>(), 1, 1e-15) << ending << cut;
+      EXPECT_NEAR(report["mesh"]["volume"].get<double>(), 1, 1e-12) << ending << cut;
+      if (first.empty()) first = folder.read("grid.msh");
+      EXPECT_EQ(folder.read("grid.msh"), first) << ending << cut;
+    }
 }
 
 TEST(Mesh, AnInwardSurfaceIsNoFault) {
