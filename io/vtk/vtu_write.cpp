@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "io/bytes/text_output.hpp"
@@ -111,15 +114,24 @@ class Writer {
   template <class T, class Value>
   void values(std::size_t count, const Value& value) {
     if (binary_) {
-      // Three values have a number of bytes that three divides, so that only the end can have padding.
+      // The header and the values are one stream of bytes in base64, as VTK writes them; padding inside it
+      // stops Python's decoder, and so meshio. The first values go with the header so that what follows
+      // starts a group of three bytes; groups of three values then make whole groups of bytes.
+      const std::size_t first = std::min<std::size_t>(count, sizeof(T) % 3);
       const std::uint64_t bytes = count * sizeof(T);
-      char header[12];
-      file_.write(
-          {header, static_cast<std::size_t>(
-                       put_base64(header, reinterpret_cast<const unsigned char*>(&bytes), 8) - header)});
-      write_items(file_, (count + 2) / 3, 4 * sizeof(T), [&](std::size_t group, char* to) {
+      std::array<unsigned char, sizeof bytes + 2 * sizeof(T)> head;
+      std::memcpy(head.data(), &bytes, sizeof bytes);
+      for (std::size_t k = 0; k < first; ++k) {
+        const T number = static_cast<T>(value(k));
+        std::memcpy(head.data() + sizeof bytes + k * sizeof(T), &number, sizeof(T));
+      }
+      std::array<char, (head.size() + 2) / 3 * 4> text;
+      file_.write({text.data(), static_cast<std::size_t>(
+                                    put_base64(text.data(), head.data(), sizeof bytes + first * sizeof(T)) -
+                                    text.data())});
+      write_items(file_, (count - first + 2) / 3, 4 * sizeof(T), [&](std::size_t group, char* to) {
         T three[3];
-        const std::size_t from = 3 * group, size = std::min<std::size_t>(3, count - from);
+        const std::size_t from = first + 3 * group, size = std::min<std::size_t>(3, count - from);
         for (std::size_t k = 0; k < size; ++k) three[k] = static_cast<T>(value(from + k));
         return put_base64(to, reinterpret_cast<const unsigned char*>(three), size * sizeof(T));
       });

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -252,6 +253,38 @@ TEST(VtkFiles, RoundTrips) {
       EXPECT_EQ(back.tables[1].columns[0].type, "UInt8");
       EXPECT_TRUE(std::signbit(back.points[0].y()));
     }
+}
+
+// Padding inside the base64 of an array stops Python's decoder: "Incorrect padding" since Python 3.13.
+TEST(VtuFiles, Base64IsPaddedAtItsEndOnly) {
+  const test::TestFiles files;
+  for (int cells = 0; cells < 7; ++cells) {
+    std::string text = "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n" +
+                       std::string("0 0 0 1 0 0 0 1 0 0 0 1\nCELLS ") + std::to_string(cells) + " " +
+                       std::to_string(5 * cells) + "\n";
+    for (int i = 0; i < cells; ++i) text += "4 0 1 2 3\n";
+    text += "CELL_TYPES " + std::to_string(cells) + "\n";
+    for (int i = 0; i < cells; ++i) text += "10\n";
+    if (cells > 0) text += "CELL_DATA " + std::to_string(cells) + "\n";
+    for (const char* type : {"char", "short", "float", "long"}) {
+      if (cells == 0) break;
+      text += "SCALARS " + std::string(type) + " " + type + " 1\nLOOKUP_TABLE default\n";
+      for (int i = 0; i < cells; ++i) text += std::to_string(7 * i - 3) + "\n";
+    }
+    const Document document = read_document(files.write("a.vtk", text));
+    write_document(files.path("a.vtu"), document, {.binary = true});
+    const std::string written = test::TestFiles::read(files.path("a.vtu"));
+    std::size_t arrays = 0;
+    for (std::size_t at = 0; (at = written.find("format=\"binary\">", at)) != std::string::npos; ++arrays) {
+      at = written.find('>', at) + 1;
+      const std::string base64 = written.substr(at, written.find('<', at) - at);
+      const std::size_t padding = base64.find('=');
+      EXPECT_EQ(base64.find_first_not_of("=\n", std::min(padding, base64.size())), std::string::npos)
+          << base64;
+    }
+    EXPECT_EQ(arrays, cells == 0 ? 4U : 8U);
+    EXPECT_EQ(test::text_of(read_document(files.path("a.vtu")), false), test::text_of(document, false));
+  }
 }
 
 TEST(VtkFiles, SaysWhatVtkItselfMisreads) {
