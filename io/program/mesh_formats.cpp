@@ -20,11 +20,16 @@ Document smallest_grid() {
   return document_of(TetMesh{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .tets = {{0, 1, 2, 3}}});
 }
 
-// Whether the file is written, and tetrahedra with it. Of TetGen's set a .vol, for example, would not be.
+bool names_tetrahedra(const std::vector<Loss>& losses) {
+  return std::any_of(losses.begin(), losses.end(),
+                     [](const Loss& loss) { return loss.item.starts_with("tetrahedra"); });
+}
+
+// Whether any reader of the file gets the tetrahedra. A .poly keeps them in comments, for our reader alone.
+// Of TetGen's set a .vol, for example, is not written for a grid.
 bool holds_tetrahedra(const std::string& path) {
   const Document grid = smallest_grid();
-  for (const Loss& loss : losses(path, grid))
-    if (loss.item.starts_with("tetrahedra")) return false;
+  if (names_tetrahedra(losses(path, grid)) || names_tetrahedra(kept_aside(path, grid).items)) return false;
   if (format_of(path).name != "tetgen") return true;
   const std::vector<std::string> written = io::tetgen_files_written(path, grid, "tetgen");
   return std::find(written.begin(), written.end(), path) != written.end();

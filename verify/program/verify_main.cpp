@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
   const program::Description description{
       "Judges a tetrahedral mesh as it is written, whoever made it: is it a valid triangulation of a solid, "
       "decided exactly, and does it fill the surface? Exit code 0: sound, 1: defective, 2: bad input, 3: own "
-      "failure, 4: no defect found, but not everything could be judged.",
+      "failure, 4: no defect was found, but not everything could be judged.",
       examples,
       {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}};
   return program::run(
@@ -165,10 +165,11 @@ int main(int argc, char** argv) {
                                    "standard input. Endings: {}",
                                    fmt::join(known_endings(), " ")))
             ->always_capture_default(false);
-        app.add_option("--from", arguments->mesh_read.format,
-                       "MESH's format, where neither ending nor content tell: " + program::format_names())
+        app.add_option(
+               "--from", arguments->mesh_read.format,
+               "read MESH as this format, whatever its ending and content say: " + program::format_names())
             ->type_name("FORMAT");
-        app.add_option("--surface-from", arguments->surface_read.format, "SURFACE's format, likewise")
+        app.add_option("--surface-from", arguments->surface_read.format, "the same for SURFACE")
             ->type_name("FORMAT");
         app.add_option("--region", arguments->region,
                        "the part of space that the mesh should fill; inside when a SURFACE is given")
