@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
   const program::Description description{
       "Judges a tetrahedral mesh as it is written, whoever made it: is it a valid triangulation of a solid, "
       "decided exactly, and does it fill the surface? Exit code 0: sound, 1: defective, 2: bad input, 3: own "
-      "failure, 4: no defect was found, but not everything could be judged.",
+      "failure, 4: nothing wrong was found, but not everything could be judged.",
       examples,
       {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}};
   return program::run(
