@@ -96,8 +96,9 @@ int main(int argc, char** argv) {
                        fmt::format("the file to write, in the format that its ending says; never IN itself. "
                                    "Endings: {}",
                                    fmt::join(known_endings(), " ")));
-        app.add_option("--from", choices->read.format,
-                       "IN's format, where neither ending nor content tell: " + program::format_names())
+        app.add_option(
+               "--from", choices->read.format,
+               "read IN as this format, whatever its ending and content say: " + program::format_names())
             ->type_name("FORMAT");
         app.add_option("--to", choices->write.format,
                        "OUT's format, where its ending does not tell: " + program::format_names())

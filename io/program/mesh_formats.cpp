@@ -19,12 +19,17 @@ Document smallest_grid() {
   return document_of(TetMesh{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .tets = {{0, 1, 2, 3}}});
 }
 
-// Whether the file is written, and tetrahedra with it. Of TetGen's set a .vol, for example, would not be.
+bool names_tetrahedra(const std::vector<Loss>& losses) {
+  return std::any_of(losses.begin(), losses.end(),
+                     [](const Loss& loss) { return loss.item.starts_with("tetrahedra"); });
+}
+
+// Whether any reader of the file gets the tetrahedra. A .poly keeps them in comments, for our reader alone.
+// Of TetGen's set a .vol, for example, is not written for a grid.
 bool holds_tetrahedra(const std::string& path) {
   const Document grid = smallest_grid();
   PlannedFile file(path, grid);
-  for (const Loss& loss : file.losses())
-    if (loss.item.starts_with("tetrahedra")) return false;
+  if (names_tetrahedra(file.losses()) || names_tetrahedra(file.kept_aside().items)) return false;
   const std::vector<std::string> written = file.files();
   return std::find(written.begin(), written.end(), path) != written.end();
 }

@@ -60,7 +60,10 @@ int run(int argc, char** argv, const Description& description,
   try {
     CLI::App app{description.purpose, name};
     app.formatter(std::make_shared<ExamplesFirst>(description.examples));
-    app.footer("An output that is the same file as an input or as another output is refused.");
+    app.footer(
+        "An output that is the same file as an input or as another output is refused.\n"
+        "Exit codes: 0 done and nothing is wrong, 1 something is wrong with what was judged, 2 bad input or\n"
+        "usage, 3 our own failure, 4 nothing wrong was found, but not everything could be judged.");
     app.option_defaults()->always_capture_default();
     app.set_version_flag("--version", version(name, description),
                          "print this program's and its libraries' versions");

@@ -37,6 +37,7 @@ const char* const examples =
     "  tetproof-mesh ball.stl -o ball.msh --v0 0.1 --v1 1 --curvature --trace ball.jsonl\n"
     "  tetproof-mesh ball.stl --v0 0.1 --v1 1 --curvature --follow yours.jsonl\n"
     "  tetproof-mesh sphere:r=1 --region outside --figure sphere.svg --plane x=0\n"
+    "  zcat part.stl.gz | tetproof-mesh - -o part.msh\n"
     "  tetproof-mesh wing:naca=0012 -o wing.vtu --cells 200,40,40 --on-surface 0.1 --json wing.json\n";
 
 // Each phase's share of the whole time, measured on ct_skull.off: without adaptation with a million

@@ -134,8 +134,9 @@ void declare_options(CLI::App& app, Arguments& a) {
                      program::grid_endings_written())
       ->type_name("GRID")
       ->always_capture_default(false);
-  app.add_option("--from", a.read.format,
-                 "SURFACE's format, where neither ending nor content tell: " + program::format_names())
+  app.add_option(
+         "--from", a.read.format,
+         "read SURFACE as this format, whatever its ending and content say: " + program::format_names())
       ->type_name("FORMAT");
   app.add_option(
          "--reduce", a.reduce,

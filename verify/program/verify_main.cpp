@@ -168,10 +168,11 @@ int main(int argc, char** argv) {
                                    "standard input. Endings: {}",
                                    fmt::join(known_endings(), " ")))
             ->always_capture_default(false);
-        app.add_option("--from", arguments->mesh_read.format,
-                       "MESH's format, where neither ending nor content tell: " + program::format_names())
+        app.add_option(
+               "--from", arguments->mesh_read.format,
+               "read MESH as this format, whatever its ending and content say: " + program::format_names())
             ->type_name("FORMAT");
-        app.add_option("--surface-from", arguments->surface_read.format, "SURFACE's format, likewise")
+        app.add_option("--surface-from", arguments->surface_read.format, "the same for SURFACE")
             ->type_name("FORMAT");
         app.add_option("--region", arguments->region,
                        "the part of space that the mesh should fill; inside when a SURFACE is given")
