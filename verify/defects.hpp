@@ -11,8 +11,8 @@
 namespace tetproof::verify {
 
 /// Makes a mesh of the tetrahedra that the report's findings name, and one ring around them: all tetrahedra
-/// that share a vertex with a named element. A vertex that a finding names, and a witness point, is an element
-/// of its own.
+/// that share a vertex with a named element. A vertex that a finding names, and a witness point, is an
+/// element of its own.
 ///
 /// Each check with findings has an integer cell array, called by its id: 1 on the elements that it names, 0
 /// on the others. The array `number` has the number of the tetrahedron or vertex in the file, and -1 for a

@@ -77,10 +77,6 @@ struct Holds {
   std::function<bool(const Section&)> section = [](const Section&) { return false; };
 };
 
-/// Whether values have a time, a step, a partition or a scheme. If they have none, it makes no difference
-/// whether they are of a view.
-bool has_step(const Values& values);
-
 /// Lists everything that is not held, item by item.
 std::vector<Loss> unheld(const Document& document, const Holds& holds);
 

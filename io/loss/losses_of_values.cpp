@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "io/loss/loss_finder.hpp"
+#include "io/model/values.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -100,11 +101,6 @@ class ValueLosses : LossFinder {
 };
 
 }  // namespace
-
-bool has_step(const Values& values) {
-  return values.time != 0 || std::signbit(values.time) || values.step != 0 || values.partition != 0 ||
-         !values.interpolation.empty();
-}
 
 void find_losses_of_values(const Document& document, const Holds& holds, const WrittenPart& written,
                            std::vector<Loss>& losses) {

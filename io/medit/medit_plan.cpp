@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/model/element_types.hpp"
+#include "io/model/values.hpp"
 
 namespace tetproof::io {
 namespace {

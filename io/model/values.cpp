@@ -2,11 +2,15 @@
 #include "io/model/values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
-#include "io/loss/holds.hpp"
-
 namespace tetproof::io {
+
+bool has_step(const Values& values) {
+  return values.time != 0 || std::signbit(values.time) || values.step != 0 || values.partition != 0 ||
+         !values.interpolation.empty();
+}
 
 bool plain_numbers(const Values& values, std::size_t items) {
   return values.components > 0 && items > 0 && values.labels.empty() && values.nodes.empty() &&

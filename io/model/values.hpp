@@ -8,6 +8,10 @@
 
 namespace tetproof::io {
 
+/// Whether values have a time, a step, a partition or a scheme. If they have none, it makes no difference
+/// whether they are of a view.
+bool has_step(const Values& values);
+
 /// Whether values are numbers without labels and steps, `items` of them from `first` on.
 bool plain_numbers(const Values& values, std::size_t items);
 /// Whether they are so, and there is one for each of all `items` nodes or elements.

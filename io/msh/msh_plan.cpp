@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "io/model/element_types.hpp"
+#include "io/model/values.hpp"
 #include "io/msh/msh_write.hpp"
 
 namespace tetproof::io {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/obj/obj_plan.hpp"
+#include "io/model/values.hpp"
+#include "io/surface/titles.hpp"
 
 #include <algorithm>
 #include <cstdint>

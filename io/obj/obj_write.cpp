@@ -10,6 +10,7 @@
 #include "io/obj/obj.hpp"
 #include "io/obj/obj_plan.hpp"
 #include "io/surface/surface_lines.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
+#include "io/surface/rows.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {

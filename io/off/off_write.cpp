@@ -7,6 +7,7 @@
 #include "io/off/off.hpp"
 #include "io/off/off_plan.hpp"
 #include "io/surface/surface_lines.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 namespace {

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "io/bytes/tokens.hpp"
+#include "io/model/values.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 namespace {

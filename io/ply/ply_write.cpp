@@ -10,6 +10,7 @@
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_plan.hpp"
 #include "io/surface/surface_lines.hpp"
+#include "io/surface/titles.hpp"
 
 namespace tetproof::io {
 namespace {

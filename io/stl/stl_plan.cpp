@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "io/model/values.hpp"
 #include "io/stl/stl.hpp"
 #include "io/surface/polygons.hpp"
 #include "io/surface/surface_document.hpp"

@@ -16,8 +16,8 @@ bool has_no_points(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, unknown)) return false;
   try {
     const InputFile file(path);
-    std::vector<std::string> warnings;
-    Records records(file, warnings);
+    Document unused;
+    Records records(file, unused);
     return read_node_header(records).count == 0;
   } catch (const InputError&) {
     return false;  // the reader will say what is wrong

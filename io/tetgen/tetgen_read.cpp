@@ -62,7 +62,7 @@ class SetReader {
     if (smesh && named && file_exists(set_.stem + ".poly"))
       document_.warnings.push_back(
           fmt::format("{}: there is {}.poly too, which TetGen would read instead", set_.path, set_.stem));
-    Records in(file, document_.warnings);
+    Records in(file, document_);
     const bool points_elsewhere = read_plc(in, named ? set_.stem + ".node" : "", smesh, document_, places);
     NodeIndex index(document_);
     if (const auto edge = named ? open(".edge") : nullptr) {

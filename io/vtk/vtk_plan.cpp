@@ -10,6 +10,7 @@
 
 #include "io/bytes/xml_text.hpp"
 #include "io/model/element_types.hpp"
+#include "io/model/values.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_piece.hpp"

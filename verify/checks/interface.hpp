@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "verify/mesh/boundary.hpp"
-#include "verify/triangles/near_pairs.hpp"
 #include "verify/triangles/near_distance.hpp"
+#include "verify/triangles/near_pairs.hpp"
 
 namespace tetproof::verify {
 

@@ -134,7 +134,8 @@ TEST(OpenSurface, TrianglesOfAMeshFileAreWelded) {
   EXPECT_EQ(surface.vertices.size(), 4u);
   EXPECT_EQ(surface.triangles, (std::vector<std::array<Index, 3>>{{0, 1, 2}, {1, 3, 2}}));
   write("1\n1 15 2 1 1 1\n");
-  EXPECT_EQ(error_of(path.string(), opened), path.string() + ": expected a surface, found no triangles or polygons");
+  EXPECT_EQ(error_of(path.string(), opened),
+            path.string() + ": expected a surface, found no triangles or polygons");
   std::filesystem::remove(path);
 }
 
