@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "io/content/reading.hpp"
 #include "io/document.hpp"
-#include "io/file_plan.hpp"
+#include "io/loss/file_plan.hpp"
 #include "io/mesh_files.hpp"
-#include "io/reading.hpp"
 
 namespace tetproof::io {
 

@@ -8,8 +8,8 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/codecs.hpp"
+#include "io/content/reading.hpp"
 #include "io/error.hpp"
-#include "io/reading.hpp"
 
 namespace tetproof {
 namespace {

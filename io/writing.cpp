@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/codecs.hpp"
-#include "io/file_plan.hpp"
+#include "io/loss/file_plan.hpp"
 #include "io/supplement/supplement.hpp"
 
 namespace tetproof {

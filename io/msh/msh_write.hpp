@@ -11,7 +11,7 @@
 
 #include "io/bytes/text_output.hpp"
 #include "io/document.hpp"
-#include "io/file_plan.hpp"
+#include "io/loss/file_plan.hpp"
 #include "io/loss/holds.hpp"
 #include "io/msh/msh.hpp"
 

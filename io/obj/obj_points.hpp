@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
+#include "io/content/reading.hpp"
 #include "io/obj/obj_names.hpp"
 #include "io/obj/obj_state.hpp"
-#include "io/reading.hpp"
 #include "io/surface/rows.hpp"
 
 namespace tetproof::io {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "io/bytes/input_file.hpp"
-#include "io/reading.hpp"
+#include "io/content/reading.hpp"
 
 namespace tetproof::io {
 

@@ -6,7 +6,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
-#include "io/file_plan.hpp"
+#include "io/loss/file_plan.hpp"
 
 namespace tetproof::io {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/content/reading.hpp"
 #include "io/error.hpp"
-#include "io/reading.hpp"
 #include "io/surface/document_surface.hpp"
 
 namespace tetproof {

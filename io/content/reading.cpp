@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/reading.hpp"
+#include "io/content/reading.hpp"
 
 #include <fmt/format.h>
 
