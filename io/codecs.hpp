@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "io/content/reading.hpp"
 #include "io/document.hpp"
 #include "io/loss/file_plan.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/read_document.hpp"
 
 namespace tetproof::io {
 

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "io/bytes/input_file.hpp"
-#include "io/content/reading.hpp"
 #include "io/document.hpp"
 #include "io/loss/file_plan.hpp"
+#include "io/model/read_document.hpp"
 
 namespace tetproof::io {
 

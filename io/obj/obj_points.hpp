@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/bytes/input_file.hpp"
-#include "io/content/reading.hpp"
+#include "io/model/read_document.hpp"
 #include "io/obj/obj_names.hpp"
 #include "io/obj/obj_state.hpp"
 #include "io/surface/rows.hpp"

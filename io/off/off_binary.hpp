@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "io/bytes/input_file.hpp"
-#include "io/content/reading.hpp"
+#include "io/model/read_document.hpp"
 
 namespace tetproof::io {
 

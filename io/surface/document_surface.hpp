@@ -2,8 +2,8 @@
 // The surface of a document: its faces, welded and cut into triangles, whatever the format was.
 #pragma once
 
-#include "io/content/reading.hpp"
 #include "io/document.hpp"
+#include "io/model/read_document.hpp"
 
 namespace tetproof::io {
 

@@ -35,10 +35,10 @@
 #include <string>
 #include <string_view>
 
-#include "io/content/reading.hpp"
 #include "io/document.hpp"
 #include "io/loss/file_plan.hpp"
 #include "io/model/element_types.hpp"
+#include "io/model/read_document.hpp"
 
 namespace tetproof::io {
 

@@ -9,10 +9,10 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
-#include "io/content/reading.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/read_document.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_node_order.hpp"
