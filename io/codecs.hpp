@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/file_plan.hpp"
 #include "io/mesh_files.hpp"
@@ -25,5 +26,8 @@ struct Codec {
 const std::vector<Codec>& codecs();
 /// Returns the codec called `name`, which must be a name of `formats()`.
 const Codec& codec_named(const std::string& name);
+
+/// Reads a file of the format with this name in `formats()`.
+ReadDocument read_as(const std::string& format, const InputFile& file, Wanted wanted);
 
 }  // namespace tetproof::io

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/codecs.hpp"
 #include "io/content/content.hpp"
 #include "io/error.hpp"
 #include "io/gmsh/gmsh_import.hpp"

@@ -19,7 +19,4 @@ InputFile open_input(const std::string& path);
 /// known, or not read.
 ReadDocument read_file(const InputFile& file, const ReadOptions& options, Wanted wanted);
 
-/// Reads a file of the format with this name in `formats()`.
-ReadDocument read_as(const std::string& format, const InputFile& file, Wanted wanted);
-
 }  // namespace tetproof::io
