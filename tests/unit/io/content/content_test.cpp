@@ -81,7 +81,7 @@ TEST(Content, RecognisesEveryVersionAndForm) {
        "msh22"},
       {"$NOD\n0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", "msh1"},
       {"\xEF\xBB\xBFOFF 0 0 0\n", "off"},
-      {"# a comment\nOFF8 0 0 0\n", "no format"},
+      {"# a comment\nOFF0 0 0\n", "off"},
       {"STCNOFF\n0 0 0\n", "off"},
       {"solid x\n facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
        "0\nendloop\nendfacet\n",
