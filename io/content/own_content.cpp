@@ -46,7 +46,7 @@ std::optional<Content> vtu(std::string_view bytes) {
 }
 
 std::optional<Content> medit(std::string_view bytes) {
-  if (lower_case(head_scanner(bytes).word('#').substr(0, 40)) == "meshversionformatted")
+  if (head_scanner(bytes).word('#') == "MeshVersionFormatted")
     return Content{"medit", "a Medit .mesh file", {}};
   // Binary: the number 1, the version, and the keyword of the dimension.
   if (bytes.size() < 12) return {};

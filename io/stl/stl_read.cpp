@@ -200,9 +200,8 @@ class Reader {
                source_.text ? fmt::format("line {}", line_of(first_against_))
                             : fmt::format("byte {}", first_against_));
     if (ends_in_two_words_ > 0)
-      warn(
-          fmt::format("line {}: `end` stands apart from `loop`, `facet` or `solid` {} times (the first such)",
-                      line_of(first_end_in_two_words_), ends_in_two_words_));
+      warn(fmt::format("line {}: `end` and its keyword are two words (the first of {} such)",
+                       line_of(first_end_in_two_words_), ends_in_two_words_));
     source_.document = std::move(document_);
     source_.welded = true;
     return std::move(source_);

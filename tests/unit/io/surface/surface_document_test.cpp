@@ -149,12 +149,12 @@ const std::vector<Case> cases{
      "facet\n"
      "end solid s\n",
      "group 2 1 s\ne2 g1: 1 2 3\n",
-     {"a.stl: line 7: `end` stands apart from `loop`, `facet` or `solid` 3 times (the first such)"}},
+     {"a.stl: line 7: `end` and its keyword are two words (the first of 3 such)"}},
     {"StlZeroBytes",
      "a.stl",
      "solid\n" + facet + "endsolid\n" + std::string(100, '\0'),
      "e2: 1 2 3\n",
-     {"a.stl: byte 109: 100 zero bytes at the end are passed over"}},
+     {"a.stl: byte 101: 100 zero bytes at the end are passed over"}},
 
     {"OffPolygons", "a.off",
      "OFF\n# a title\n#  of two lines\n5 4 0\n" + square + "2 .5 0\n3 0 1 2\n4 0 1 2 3\n5 0 1 4 2 3\n2 0 1\n",
@@ -199,7 +199,7 @@ const std::vector<Case> cases{
      "node texture x2: 0 0.5 1 0 1 1\nelement color x3: 1 0.5 0 at 0\n",
      {},
      false,
-     {"3 bytes behind the last face (byte 212)"}},
+     {"3 bytes behind the last face (byte 219)"}},
 
     {"ObjGroups", "a.obj",
      "# made by hand\n#\nmtllib a.mtl b.mtl\n" + obj_square +

@@ -57,7 +57,7 @@ std::string binary_off(std::initializer_list<unsigned char> integers) {
 
 const std::vector<Case> cases{
     {"StlNothing", "a.stl", "", "a.stl:1: expected 'solid', found the end of the file"},
-    {"StlOther", "a.stl", "\nOFF\n", "a.stl:2: expected 'solid', found 'OFF'"},
+    {"StlOther", "a.stl", "\nnothing\n", "a.stl:2: expected 'solid', found 'nothing'"},
     {"StlTwoVertices", "a.stl", stl_start + "vertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\n",
      "a.stl:6: facet has 2 vertices, expected 3"},
     {"StlFourVertices", "a.stl", stl_start + stl_vertices + "vertex 1 1 1\nendloop\nendfacet\n",

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "io/error.hpp"
+#include "io/mesh_files.hpp"
 #include "io/surface_files.hpp"
+#include "tests/support/test_files.hpp"
 
 namespace tetproof {
 namespace {
@@ -122,6 +124,13 @@ TEST_P(SurfaceSamples, ReadOrRefused) {
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(), path.string() + sample.refused);
     }
+    return;
+  }
+  if (sample.triangles == 0) {
+    const test::TestFiles files;
+    EXPECT_EQ(files.message([&] { read_surface(path); }),
+              path.string() + ": expected a surface, found no triangles or polygons");
+    EXPECT_EQ(read_document(path).points.size(), static_cast<std::size_t>(sample.vertices));
     return;
   }
   const TriangleSurface surface = read_surface(path);
