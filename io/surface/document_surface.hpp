@@ -2,6 +2,7 @@
 // The surface of a document: its faces, welded and cut into triangles, whatever the format was.
 #pragma once
 
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/model/read_document.hpp"
 

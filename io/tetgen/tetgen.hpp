@@ -35,6 +35,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/bytes/input_file.hpp"
 #include "io/document.hpp"
 #include "io/loss/file_plan.hpp"
 #include "io/model/element_types.hpp"
