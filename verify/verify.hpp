@@ -6,14 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "io/document.hpp"
 #include "io/tet_mesh.hpp"
 #include "io/triangle_surface.hpp"
 #include "verify/report.hpp"
 #include "verify/surface.hpp"
-
-namespace tetproof {
-struct Document;
-}
 
 namespace tetproof::verify {
 
