@@ -22,7 +22,8 @@ using verify::Report;
 using verify::Verdict;
 using Json = nlohmann::json;
 
-// Adds elements of one type, whose nodes are new points in a row beyond the mesh.
+// Adds elements of one type. Their nodes are new points beyond the mesh, on a twisted cubic: any four in
+// order make a positive tetrahedron.
 void add_elements(Document& document, int type, int dim, int nodes_each, std::size_t count) {
   document.blocks.push_back({.type = type,
                              .dim = dim,
@@ -33,7 +34,8 @@ void add_elements(Document& document, int type, int dim, int nodes_each, std::si
                              .nodes = document.connectivity.size()});
   for (std::size_t i = 0; i < count * static_cast<std::size_t>(nodes_each); ++i) {
     document.connectivity.push_back(static_cast<Index>(document.points.size()));
-    document.points.push_back({100.0 + static_cast<double>(i), static_cast<double>(type), 0});
+    const double x = static_cast<double>(i);
+    document.points.push_back({100 + x, 1e6 * type + x * x, x * x * x});
   }
 }
 
