@@ -67,8 +67,8 @@ TEST(Gallery, HasNotDrifted) {
     const std::string picture = name + ".svg";
     std::vector<std::string> words{program("tetproof-mesh")};
     for (std::string word; rest >> word;) words.push_back(word);
-    words.insert(words.end(), {"--region", "outside", "--improve", "aspect-ratio", "--voxels", "0", "--figure",
-                               files / picture});
+    words.insert(words.end(), {"--region", "outside", "--improve", "aspect-ratio", "--voxels", "0",
+                               "--figure", files / picture});
     const Outcome outcome = run_program(words, {.directory = TETPROOF_SOURCE_DIR, .timeout_s = 600});
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     std::ifstream shown(TETPROOF_SOURCE_DIR "/corpus/gallery/" + picture, std::ios::binary);
