@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/loss/holds.hpp"
+#include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen_plan.hpp"
 #include "tests/support/test_files.hpp"
 
@@ -18,12 +19,12 @@ namespace tetproof {
 namespace {
 
 struct Calls {
-  int encoding = 0, plan = 0, holds = 0, unheld = 0;
+  int encoding = 0, plan = 0, holds = 0, unheld = 0, supplement = 0;
   bool operator==(const Calls&) const = default;
 
   friend void PrintTo(const Calls& calls, std::ostream* out) {
     *out << "encoding " << calls.encoding << ", plan " << calls.plan << ", holds " << calls.holds
-         << ", unheld " << calls.unheld;
+         << ", unheld " << calls.unheld << ", supplement " << calls.supplement;
   }
 };
 Calls calls;
@@ -37,16 +38,19 @@ Calls calls;
 #define TETPROOF_MESH_PLAN "_ZN8tetproof2io16tetgen_mesh_planERKNS_8DocumentE"
 #define TETPROOF_MESH_HOLDS "_ZN8tetproof2io17tetgen_mesh_holdsERKNS_8DocumentERKNS0_10TetgenPlanE"
 #define TETPROOF_UNHELD "_ZN8tetproof2io6unheldERKNS_8DocumentERKNS0_5HoldsE"
+#define TETPROOF_SUPPLEMENT_OF "_ZN8tetproof2io13supplement_ofB5cxx11ERKNS_8DocumentERKNS0_5HoldsE"
 
 Encoding real_encoding(const std::string&, const WriteOptions&) asm("__real_" TETPROOF_ENCODING_OF);
 io::TetgenPlan real_plan(const Document&) asm("__real_" TETPROOF_MESH_PLAN);
 io::Holds real_holds(const Document&, const io::TetgenPlan&) asm("__real_" TETPROOF_MESH_HOLDS);
 std::vector<Loss> real_unheld(const Document&, const io::Holds&) asm("__real_" TETPROOF_UNHELD);
+std::string real_supplement(const Document&, const io::Holds&) asm("__real_" TETPROOF_SUPPLEMENT_OF);
 
 Encoding counted_encoding(const std::string&, const WriteOptions&) asm("__wrap_" TETPROOF_ENCODING_OF);
 io::TetgenPlan counted_plan(const Document&) asm("__wrap_" TETPROOF_MESH_PLAN);
 io::Holds counted_holds(const Document&, const io::TetgenPlan&) asm("__wrap_" TETPROOF_MESH_HOLDS);
 std::vector<Loss> counted_unheld(const Document&, const io::Holds&) asm("__wrap_" TETPROOF_UNHELD);
+std::string counted_supplement(const Document&, const io::Holds&) asm("__wrap_" TETPROOF_SUPPLEMENT_OF);
 
 Encoding counted_encoding(const std::string& path, const WriteOptions& options) {
   return ++calls.encoding, real_encoding(path, options);
@@ -59,6 +63,9 @@ io::Holds counted_holds(const Document& document, const io::TetgenPlan& plan) {
 }
 std::vector<Loss> counted_unheld(const Document& document, const io::Holds& holds) {
   return ++calls.unheld, real_unheld(document, holds);
+}
+std::string counted_supplement(const Document& document, const io::Holds& holds) {
+  return ++calls.supplement, real_supplement(document, holds);
 }
 
 namespace {
@@ -86,7 +93,7 @@ TEST_F(Writing, WorksEachAnswerOutOnce) {
   EXPECT_FALSE(file.kept_aside().items.empty());
   EXPECT_EQ(file.warning(), "");
   file.write();
-  const Calls once{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1};
+  const Calls once{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1, .supplement = 1};
   EXPECT_EQ(calls, once);
   // Nor when they are asked for again.
   EXPECT_EQ(file.encoding().format, "tetgen");
@@ -99,7 +106,7 @@ TEST_F(Writing, WorksEachAnswerOutOnce) {
 TEST_F(Writing, WritesUnasked) {
   calls = {};
   PlannedFile(files_.path("a.ele"), document_).write();
-  EXPECT_EQ(calls, (Calls{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1}));
+  EXPECT_EQ(calls, (Calls{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1, .supplement = 1}));
 }
 
 // Functions for one question each start anew: what the counts above are to be compared with.
@@ -108,7 +115,7 @@ TEST_F(Writing, FunctionsForOneQuestionStartAnew) {
   const std::string path = files_.path("a.ele");
   losses(path, document_), kept_aside(path, document_), write_warning(path, document_);
   write_document(path, document_);
-  EXPECT_EQ(calls, (Calls{.encoding = 4, .plan = 4, .holds = 4, .unheld = 3}));
+  EXPECT_EQ(calls, (Calls{.encoding = 4, .plan = 4, .holds = 4, .unheld = 3, .supplement = 1}));
 }
 
 TEST_F(Writing, AnswersAreThoseOfTheFunctions) {
