@@ -70,8 +70,9 @@ void MeditContent::warn(std::string_view text) {
   document_.warnings.push_back(document_.path + std::string(text));
 }
 
-void MeditContent::drop(const std::string& item, std::size_t count, const std::string& example) {
-  add_loss(document_.dropped, item, count, example);
+void MeditContent::drop(const std::string& item, std::size_t count, const std::string& example,
+                        bool elements) {
+  add_loss(document_.dropped, item, count, example, elements);
 }
 
 Document MeditContent::finish() {

@@ -43,7 +43,7 @@ class MeditContent {
   /// Adds a warning: the path, and `text` behind it.
   void warn(std::string_view text);
   /// Lists something that the reader does not take.
-  void drop(const std::string& item, std::size_t count, const std::string& example);
+  void drop(const std::string& item, std::size_t count, const std::string& example, bool elements = false);
 
   Document finish();
 

@@ -58,7 +58,8 @@ class Reader {
       if (known && known->element != 0) {
         elements(*known, end);
       } else if (!known || !section(*known, end)) {
-        content_.drop("keyword " + name, 1, fmt::format("byte {}: {} bytes", start, end - start));
+        // A keyword of unknown code may be a kind of elements: a judge must not call the mesh whole.
+        content_.drop("keyword " + name, 1, fmt::format("byte {}: {} bytes", start, end - start), !known);
         in_.raw(end - start, "a keyword's data");
       }
     }

@@ -181,5 +181,17 @@ TEST(DroppedByMedit, NothingOfPentahedra) {
   EXPECT_TRUE(document.dropped.empty() && document.sections.empty() && document.warnings.empty());
 }
 
+TEST(DroppedOfMedit, AKeywordOfUnknownCodeMayBeElements) {
+  const test::TestFiles files;
+  files.write("unknown.meshb", meshb(12, {1, 2}));
+  files.write("normals.meshb", meshb(60, {0, 9}));
+  const std::vector<Loss> unknown = read_document(files.path("unknown.meshb")).dropped;
+  const std::vector<Loss> normals = read_document(files.path("normals.meshb")).dropped;
+  ASSERT_EQ(unknown.size(), 1u);
+  ASSERT_EQ(normals.size(), 1u);
+  EXPECT_TRUE(unknown[0].elements);
+  EXPECT_FALSE(normals[0].elements);
+}
+
 }  // namespace
 }  // namespace tetproof
