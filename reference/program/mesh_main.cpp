@@ -20,7 +20,6 @@
 #include "reference/program/mesh_options.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
-#include "reference/trace/trace_records.hpp"
 #include "verify/reports/report_json.hpp"
 #include "verify/surface.hpp"
 #include "verify/verify.hpp"
@@ -200,7 +199,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   const verify::SurfaceReport& judged = judged_surface->report();
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
-  TraceOutput trace(a.trace, a.surface, settings_of(options, surface));
+  TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
   const reference::Generation made = generate(surface, options);
   if (made.mesh().tets.empty())

@@ -123,6 +123,7 @@ std::int64_t parse_points(std::string_view text) {
 
 void declare_options(CLI::App& app, Arguments& a) {
   const std::map<std::string, Region> regions{{"inside", Region::inside}, {"outside", Region::outside}};
+  const std::map<std::string, Engine> engines{{"paper", Engine::paper}, {"fast", Engine::fast}};
   const std::map<std::string, Diagonals> diagonals{{"lowest", Diagonals::lowest},
                                                    {"shortest", Diagonals::shortest}};
   app.add_option("SURFACE", a.surface,
@@ -144,6 +145,11 @@ void declare_options(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(4, std::numeric_limits<int>::max()))
       ->type_name("N")
       ->option_text("N");
+  app.add_option(
+         "--engine", a.options.engine,
+         "fast; or paper: the method as the paper's text has it, by brute force, with the same decisions")
+      ->transform(CLI::CheckedTransformer(engines))
+      ->option_text("paper|fast [fast]");
   app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
       ->transform(CLI::CheckedTransformer(regions))
       ->option_text("inside|outside [inside]");
@@ -161,9 +167,10 @@ void declare_options(CLI::App& app, Arguments& a) {
                  "which diagonal cuts a quadrilateral that two tetrahedra share")
       ->transform(CLI::CheckedTransformer(diagonals))
       ->option_text("lowest|shortest [lowest]");
-  app.add_flag(
-      "--literal", a.options.literal,
-      "as printed in the paper: case 5 always kept, --on-surface 0, rounding reported and not mended");
+  app.add_flag("--literal", a.options.literal,
+               "as printed in the paper: case 5 always kept, --on-surface 0, rounding reported and not "
+               "mended, a mean over L+3 "
+               "tetrahedra in eq. (3.5)");
   declare_adaptation(app, a);
   declare_figure(app, a);
   app.add_option(

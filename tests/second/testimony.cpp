@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/second/testimony.hpp"
 
-#include "reference/trace/trace_records.hpp"
 #include "tests/support/test_files.hpp"
 
 namespace tetproof::second {
@@ -46,7 +45,7 @@ Testimony testify(const TriangleSurface& surface, const Settings& settings) {
   Testimony result;
   result.second = run(surface, settings, "test");
   reference::Options options = reference_options(settings);
-  const trace::Settings asked = reference::settings_of(options, surface);
+  const trace::Settings asked = reference::settings_of(options, static_cast<bool>(surface.evaluate));
   result.reference.push_back(asked);
   options.listener.record = [&](const trace::Record& record) { result.reference.push_back(record); };
   const reference::Generation made = reference::generate(surface, options);

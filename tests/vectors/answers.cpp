@@ -10,7 +10,7 @@
 #include "reference/engine/adaptation/curvature.hpp"
 #include "reference/engine/adaptation/table4.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
-#include "reference/engine/adaptation/weights.hpp"
+#include "reference/equations.hpp"
 #include "reference/engine/first_grid/extract.hpp"
 #include "reference/engine/first_grid/row_choice.hpp"
 

@@ -8,12 +8,9 @@
 #include <cmath>
 
 #include "io/error.hpp"
+#include "reference/equations.hpp"
 
 namespace tetproof::reference {
-
-double eq_2_1(double x0, double x1, double t) {
-  return (1 - t) * x0 + t * x1;
-}
 
 int Lattice::cell_of(int axis, double x) const {
   const std::vector<double>& plane = planes[axis];

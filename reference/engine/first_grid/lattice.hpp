@@ -52,10 +52,6 @@ struct Lattice {
   int cell_of(int axis, double x) const;
 };
 
-/// Eq. (2.1) for one coordinate: (1-t) X_0 + t X_1. The sum over I, J, K of eq. (2.1) is the product of three
-/// of these, because the edges of the box are parallel to the axes.
-double eq_2_1(double x0, double x1, double t);
-
 /// The corners of the six tetrahedra of a cell (reading D2). A corner is a sum of bits: 1 for x, 2 for y, 4
 /// for z. Each tetrahedron walks from corner 0 to corner 7 along the axes in one order: xyz, xzy, yxz, yzx,
 /// zxy, zyx. So its vertices ascend in number.
