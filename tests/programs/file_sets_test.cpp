@@ -124,7 +124,9 @@ TEST_F(VerifyFiles, AListOfChecksIsOneWord) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     const nlohmann::json report = nlohmann::json::parse(outcome.out);
     for (const auto& check : report["checks"])
-      if (check["id"] == id) EXPECT_EQ(check["verdict"], verdict) << id;
+      if (check["id"] == id) {
+        EXPECT_EQ(check["verdict"], verdict) << id;
+      }
   };
   judged({"tetproof-verify", "--check", "flat,inverted", "a.node", "--json", "-"}, "flat", "pass");
   judged({"tetproof-verify", "--check", "flat,inverted", "a.node", "--json", "-"}, "overlap", "skipped");

@@ -133,7 +133,9 @@ TEST_P(Classification, NearVerticesAreThoseWithinTheRadius) {
                                 .squaredNorm());
     const auto at = by_vertex.find(v);
     ASSERT_EQ(at != by_vertex.end(), best < radius * radius) << v;
-    if (at != by_vertex.end()) EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28) << v;
+    if (at != by_vertex.end()) {
+      EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28) << v;
+    }
   }
 }
 
@@ -189,8 +191,9 @@ TEST(Table3Applied, EachRow) {
       EXPECT_EQ(result.table3[r], one.row && tables::table3[r].name == one.row ? 1 : 0)
           << one.name << " row " << tables::table3[r].name;
     ASSERT_EQ(static_cast<int>(result.cuts.points.size()), one.cuts) << one.name;
-    if (one.cuts)
+    if (one.cuts) {
       EXPECT_EQ(result.cuts.points[0].x(), 0.25) << one.name << ": the point closest to the exterior end";
+    }
   }
 }
 
