@@ -17,7 +17,7 @@ using verify::Report;
 using verify::Verdict;
 
 TEST(PlantedDefects, NonManifoldEdgeAndVertex) {
-  // Two cells that share an edge, or a vertex, and nothing else.
+  // Two cells that share only an edge, or only a vertex.
   const auto edge = lattice_mesh({2, 2, 1}, [](Cell c) { return c[0] == c[1]; });
   const Report at_edge = verify::verify(edge);
   EXPECT_EQ(roots(at_edge), Ids{"boundary-nonmanifold-edge"});
@@ -44,8 +44,8 @@ TEST(PlantedDefects, NonManifoldEdgeAndVertex) {
 }
 
 TEST(PlantedDefects, OneMaterialAroundANonManifoldEdge) {
-  // Four cells around an edge less two opposite ones, joined by a bridge above: one component that touches
-  // itself in an edge.
+  // Two opposite cells of the four around an edge, and a bridge above them: one component that touches itself
+  // in an edge.
   const auto mesh = lattice_mesh({2, 2, 2}, [](Cell c) { return c[2] == 1 || c[0] == c[1]; });
   const Report report = verify::verify(mesh);
   EXPECT_EQ(roots(report), Ids{"boundary-nonmanifold-edge"});

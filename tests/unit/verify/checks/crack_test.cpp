@@ -16,7 +16,7 @@ using testing::Contains;
 using verify::Check;
 using verify::Report;
 
-// A block of which the tetrahedra that `apart` picks have points of their own.
+// The mesh with own points for the tetrahedra that `apart` selects.
 TetMesh cracked(const TetMesh& mesh, const std::function<bool(Index)>& apart) {
   TetMesh bad = mesh;
   std::map<Index, Index> own;
@@ -76,12 +76,13 @@ TEST(Crack, EveryTetrahedronForItself) {
 }
 
 TEST(Crack, WhatElseIsWrongIsFoundBehindIt) {
-  // One half moved onto the other: points equal along the crack, and beside it two blocks overlap.
+  // A crack between the halves, and a smaller block that overlaps one of them.
   TetMesh bad = cracked(lattice_mesh({4, 2, 2}), [](Index t) { return t >= 2 * 2 * 2 * 6; });
   bad = together(bad, lattice_mesh({1, 1, 1}, {}, {3.25, 0.25, 0.25}, 0.5));
   const Report report = verify::verify(bad);
   EXPECT_EQ(roots(report), (Ids{"crack", "overlap"})) << report_text(report);
-  // A tetrahedron twice, each time with points of its own: closed, its faces belong to three.
+  // The same tetrahedron twice, each time with its own points. When the cracks are closed, its faces belong
+  // to three tetrahedra.
   const TetMesh mesh = lattice_mesh({2, 2, 2});
   TetMesh twice = cracked(mesh, [](Index t) { return t % 2 == 0; });
   const auto first = static_cast<Index>(twice.points.size());

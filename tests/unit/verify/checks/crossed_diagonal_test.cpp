@@ -15,9 +15,9 @@ using testing::UnorderedElementsAre;
 using verify::Check;
 using verify::Report;
 
-// The cells of a lattice of which two are cut along the other diagonal of their common side.
+// Two pyramids on one square, each cut into two tetrahedra along a different diagonal. `bend` lifts two
+// opposite corners of the square.
 TetMesh with_crossed_diagonals(double bend) {
-  // Two pyramids' worth of tetrahedra on a square, cut differently.
   TetMesh mesh{{{0, 0, 0}, {1, 0, bend}, {1, 1, 0}, {0, 1, bend}, {0.5, 0.5, 1}, {0.5, 0.5, -1}},
                {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 3, 1, 5}, {1, 3, 2, 5}}};
   return mesh;
@@ -39,7 +39,8 @@ TEST(CrossedDiagonal, OnAFlatOrRoundedQuadrilateral) {
 }
 
 TEST(CrossedDiagonal, OnABentQuadrilateral) {
-  // Bent one way the tetrahedra overlap, bent the other a tetrahedron is missing.
+  // If the square is bent one way the tetrahedra overlap, if it is bent the other way there is a gap between
+  // them.
   const Report one = verify::verify(with_crossed_diagonals(0.1)),
                other = verify::verify(with_crossed_diagonals(-0.1));
   const bool first_overlaps = one[Check::crossed_diagonal].count == 1;
@@ -55,7 +56,7 @@ TEST(CrossedDiagonal, ATetrahedronCutIntoFourIsSound) {
   TetMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}},
                {{4, 1, 2, 3}, {0, 4, 2, 3}, {0, 1, 4, 3}, {0, 1, 2, 4}}};
   EXPECT_EQ(roots(verify::verify(mesh)), Ids{});
-  for (Eigen::Vector3d& p : mesh.points) p *= 1e-14;  // beside a large block it is all but a point
+  for (Eigen::Vector3d& p : mesh.points) p *= 1e-14;  // almost a point beside a large block
   const Report report = verify::verify(together(lattice_mesh({2, 2, 2}), [&] {
     for (Eigen::Vector3d& p : mesh.points) p += Eigen::Vector3d(3, 0, 0);
     return mesh;
@@ -64,7 +65,8 @@ TEST(CrossedDiagonal, ATetrahedronCutIntoFourIsSound) {
       << report_text(report);
 }
 
-// The outside of a tetrahedron cut into four looks like crossed diagonals by its numbers alone.
+// Going by the vertex numbers alone, the outer faces of a tetrahedron that is cut into four look like crossed
+// diagonals.
 TEST(CrossedDiagonal, ATetrahedronCutIntoFourInsideAnotherIsAnOverlap) {
   const TetMesh mesh{{{0, 0, 0},
                       {4, 0, 0},

@@ -22,7 +22,7 @@ bool has(const std::array<Index, 4>& tet, Index v) {
   return std::count(tet.begin(), tet.end(), v) > 0;
 }
 
-// Splits tetrahedra with the edge a b at a new vertex, those that `split` picks.
+// Splits, at a new vertex, the tetrahedra around the edge a b that `split` selects.
 Index split_edge(TetMesh& mesh, Index a, Index b, const Eigen::Vector3d& place,
                  const std::function<bool(Index)>& split) {
   const auto node = static_cast<Index>(mesh.points.size());
@@ -122,8 +122,8 @@ TEST(HangingNode, InsideAFace) {
 }
 
 TEST(HangingNode, OffTheEdgeByRounding) {
-  // Off the edge by units in the last place to every side: a slit, an overlap, or both. The certificate may
-  // hold; the finding stays.
+  // The node is off the edge by units in the last place, in every direction. That makes a slit, an overlap,
+  // or both. The certificate may hold, but the finding must be there.
   bool held = false, failed = false;
   for (int i = 0; i < 81; ++i) {
     const int direction = i % 27;
@@ -149,7 +149,7 @@ TEST(HangingNode, OffTheEdgeByRounding) {
 }
 
 TEST(HangingNode, FartherOffIsAnotherMatter) {
-  // Off by far more than rounding: a real slit, which leaves a valid triangulation with a cavity.
+  // Off by much more than rounding. This is a real slit: the triangulation is valid and has a cavity.
   TetMesh mesh = lattice_mesh({3, 3, 3});
   const Index t = 13 * 6;
   const std::array<Index, 4> tet = mesh.tets[t];
@@ -162,8 +162,8 @@ TEST(HangingNode, FartherOffIsAnotherMatter) {
 }
 
 TEST(HangingNode, AFineBlockOnACoarseOne) {
-  // Cells of half the size on one side of the plane x = 2: the nodes between the coarse ones hang. The first
-  // block's points that lie there are the second block's.
+  // Beyond the plane x = 2 the cells have half the size, and the nodes between the coarse ones hang. Both
+  // blocks share the points that coincide.
   TetMesh mesh = lattice_mesh({2, 2, 2});
   const TetMesh fine = lattice_mesh({2, 4, 4}, {}, {2, 0, 0}, 0.5);
   std::vector<Index> number;
@@ -182,8 +182,8 @@ TEST(HangingNode, AFineBlockOnACoarseOne) {
 }
 
 TEST(HangingNode, NodesOnBothSides) {
-  // A face of both sides is cut on one side at one edge and on the other at another: neither has the whole
-  // face.
+  // A common face is cut at one edge on one side and at another edge on the other side. Neither side has the
+  // whole face.
   TetMesh mesh{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {1, 1, -3}}, {{0, 1, 2, 3}, {0, 2, 1, 4}}};
   split_edge(mesh, 0, 1, {2, 0, 0}, [](Index t) { return t == 0; });
   split_edge(mesh, 1, 2, {2, 2, 0}, [](Index t) { return t == 1; });
@@ -199,7 +199,7 @@ TEST(HangingNode, AnotherDefectBesideItIsARootOfItsOwn) {
   const Index a = 21, b = 42;
   const auto around = tets_around(mesh, a, b);
   split_edge(mesh, a, b, (mesh.points[a] + mesh.points[b]) / 2, [&](Index t) { return t == around[0]; });
-  // A tetrahedron of its own through one of the faces on which the node hangs.
+  // A separate tetrahedron that passes through a face on which the node hangs.
   const auto first = static_cast<Index>(mesh.points.size());
   const Eigen::Vector3d c = (mesh.points[a] + mesh.points[b]) / 2;
   for (const Eigen::Vector3d& d :

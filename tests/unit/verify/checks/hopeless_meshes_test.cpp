@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes in which nothing is right: no crash, and an end of the search.
+// Meshes in which nothing is right: verify does not crash, and its search ends.
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
@@ -18,7 +18,7 @@ using verify::Report;
 using verify::Verdict;
 
 TEST(PlantedDefects, NothingOfItCrashes) {
-  // Every tetrahedron unusable, in every way at once.
+  // Every tetrahedron is unusable, in all ways at once.
   TetMesh mesh = lattice_mesh({2, 2, 2});
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (t % 3 == 0) mesh.tets[t] = {-5, 1000, 3, 3};
@@ -32,8 +32,8 @@ TEST(PlantedDefects, NothingOfItCrashes) {
   EXPECT_EQ(verify::verify(TetMesh{{}, {{0, 1, 2, 3}}})[Check::index_range].count, 1);
 }
 
-// Random numbers: quadratically many faces meet. The search ends, says so, and says the same on any number of
-// threads; asked for overlaps alone it has no less to say.
+// With random vertices, quadratically many faces meet. The search must end, say so, and give the same report
+// for any number of threads. A run that is asked only for overlaps must find them, too.
 TEST(PlantedDefects, ManyThousandRandomTetrahedra) {
   TetMesh mesh = lattice_mesh({8, 8, 8});
   std::mt19937 random(3);

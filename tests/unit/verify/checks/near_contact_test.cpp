@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Near contacts: parts of the boundary that are closer to each other than rounding, and do not touch.
+// Near contacts: parts of the boundary whose distance is within rounding, but which do not touch.
 #include <gmock/gmock.h>
 
 #include <utility>
@@ -37,7 +37,7 @@ TEST(NearContact, BlocksThatAllButTouch) {
 }
 
 TEST(NearContact, EdgesThatAllButTouch) {
-  // Two tetrahedra, edge over edge crosswise.
+  // An edge of one tetrahedron crosses over an edge of another one.
   for (const auto& [gap, near] : {std::pair{1e-13, true}, {1e-10, false}}) {
     const TetMesh mesh{{{-1, 0, 0},
                         {1, 0, 0},
@@ -58,8 +58,8 @@ TEST(NearContact, EdgesThatAllButTouch) {
   }
 }
 
-// A block so small beside another that all its faces are near each other, quadratically many pairs: what is
-// near is then not told, and all the rest is.
+// One block is so small beside another one that all its faces are near each other: quadratically many pairs.
+// The report then says nothing about near contacts, and everything about the rest.
 TEST(NearContact, ACrowdOfTinyFacesEndsTheSearch) {
   const Report report = verify::verify(
       together(lattice_mesh({2, 2, 2}, {}, {1, 0, 0}), lattice_mesh({12, 12, 12}, {}, {0, 0, 0}, 1e-14)));
@@ -72,8 +72,8 @@ TEST(NearContact, ACrowdOfTinyFacesEndsTheSearch) {
 }
 
 TEST(NearContact, ShortEdgesAreNone) {
-  // A lattice with a plane of cells as thin as 1e-14 of it: everything there is near everything, and hangs
-  // together.
+  // One layer of cells has a thickness of 1e-14 of the lattice. Everything in it is near everything else, but
+  // it is connected.
   for (const double thin : {1e-14, 1e-13, 3e-13, 1e-12}) {
     TetMesh mesh = lattice_mesh({4, 3, 3});
     for (Eigen::Vector3d& p : mesh.points)

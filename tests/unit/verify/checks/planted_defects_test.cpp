@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every check: a defect planted in a sound mesh gives that finding, with its elements, and no other; the
-// sound mesh gives none. Nearly flat tetrahedra are decided exactly.
+// Plants a defect into a sound mesh: the report has the expected finding, with its elements, and no other
+// one. The sound mesh has none. Signs of nearly flat tetrahedra are exact.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -29,7 +29,8 @@ struct Case {
 
 constexpr Index last_tet = 3 * 3 * 3 * 6 - 1;
 
-// The base mesh: 3 x 3 x 3 cells, 64 points of which 8 are inside; point (i,j,k) is number 16 i + 4 j + k.
+// The sound mesh has 3 x 3 x 3 cells and 64 points, of which 8 are inside. Point (i,j,k) has the number 16 i
+// + 4 j + k.
 constexpr Index inner = 21;  // (1,1,1)
 
 const std::vector<Case>& cases() {
@@ -214,8 +215,8 @@ TEST(PlantedDefects, CountsAreFull) {
 }
 
 TEST(PlantedDefects, TwoOnOneSideOfAFace) {
-  // Two positive tetrahedra with the same apex side: their common face is induced twice in the same
-  // direction.
+  // Two positive tetrahedra lie on the same side of their common face, so both induce the same direction on
+  // it.
   TetMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.5}}, {{0, 1, 2, 3}, {0, 1, 2, 4}}};
   const Report report = verify::verify(mesh);
   EXPECT_EQ(roots(report), Ids{"face-orientation"});
@@ -224,8 +225,8 @@ TEST(PlantedDefects, TwoOnOneSideOfAFace) {
 }
 
 TEST(PlantedDefects, OneUnitInTheLastPlace) {
-  // The apex of the first tetrahedron just above, in, and just below the plane of its base, whatever the
-  // scale and place.
+  // The apex of the tetrahedron is just above the plane of its base, in it, or just below it, at every scale
+  // and place.
   struct Place {
     double scale, shift;
   };
@@ -246,8 +247,8 @@ TEST(PlantedDefects, OneUnitInTheLastPlace) {
 }
 
 TEST(PlantedDefects, PushedThroughByOneUnitInTheLastPlace) {
-  // Around an inner point lie tetrahedra whose far faces are in the plane x = 2 cells: up to it, in it, and
-  // beyond.
+  // The tetrahedra around an inner point have far faces in the plane x = 2. The point moves up to this plane,
+  // into it, and beyond it.
   for (const double shift : {0.0, 1e6}) {
     SCOPED_TRACE(shift);
     TetMesh mesh = lattice_mesh({3, 3, 3}, {}, {shift, shift, shift});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which findings follow from another one and stand under it, and which stand beside it.
+// Root causes: which findings follow from another one and are listed under it, and which stand on their own.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ TEST(PlantedDefects, ConsequencesStandUnderTheirRoot) {
   EXPECT_EQ(report[Check::face_orientation].verdict, Verdict::fail);
 }
 
-// What only touches a broken tetrahedron in a vertex does not follow from it.
+// A defect that only shares a vertex with a broken tetrahedron does not follow from it.
 TEST(PlantedDefects, TwoThatShareAVertexStandSideBySide) {
   const TetMesh sound = lattice_mesh({4, 4, 4});
   const auto at = std::find(sound.points.begin(), sound.points.end(), Eigen::Vector3d(2, 2, 2));
@@ -52,7 +52,7 @@ TEST(PlantedDefects, TwoThatShareAVertexStandSideBySide) {
   missing.tets.erase(missing.tets.begin() + *other);
   EXPECT_EQ(roots(verify::verify(missing)), (Ids{"inverted", "cavity"}));
 
-  // A small one of its own inside that tetrahedron, from the common vertex.
+  // A separate small tetrahedron inside that one; it begins at the common vertex.
   TetMesh foreign = turned;
   std::array<Index, 4> small = sound.tets[*other];
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -66,7 +66,7 @@ TEST(PlantedDefects, TwoThatShareAVertexStandSideBySide) {
   EXPECT_EQ(roots(verify::verify(foreign)), (Ids{"inverted", "overlap"}));
 }
 
-// The boundary with one face wound the wrong way encloses nothing that could be a cavity, wherever it lies.
+// A boundary in which one face is wound the wrong way encloses no cavity, wherever the mesh is.
 TEST(PlantedDefects, AnInvertedTetrahedronAtTheBoundaryMakesNoCavity) {
   for (const double shift : {0.0, 1e6, -1e6}) {
     TetMesh mesh = lattice_mesh({3, 3, 3}, {}, Eigen::Vector3d::Constant(shift));
@@ -77,11 +77,11 @@ TEST(PlantedDefects, AnInvertedTetrahedronAtTheBoundaryMakesNoCavity) {
   }
 }
 
-// A negative winding number at a face: the place is covered by a tetrahedron wound the wrong way, far as it
-// may be from the face.
+// If the winding number at a face is negative, an inverted tetrahedron covers the place, no matter how far it
+// is from the face.
 TEST(PlantedDefects, ANegativeCoveringFollowsFromAnInvertedTetrahedron) {
-  // A block with a hole in it, and in the hole, sharing nothing, a turned tetrahedron around a smaller good
-  // one.
+  // A block with a hole. In the hole, and not connected with the block, an inverted tetrahedron around a
+  // smaller positive one.
   TetMesh mesh = lattice_mesh({5, 5, 5}, [](Cell c) { return c != Cell{2, 2, 2}; });
   const auto add = [&](double size, bool turned) {
     const auto first = static_cast<Index>(mesh.points.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options that leave checks out: what was not checked is not certified.
+// Options that leave out checks: without all of its checks there is no certificate.
 #include <gmock/gmock.h>
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Overlaps that no single tetrahedron shows: parts of the mesh inside other parts.
+// Overlaps that no single tetrahedron shows: a part of the mesh is inside another part.
 #include <gmock/gmock.h>
 
 #include "tests/support/meshes.hpp"
