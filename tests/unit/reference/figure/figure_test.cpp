@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a plane's cut: it shows the whole cross-section once, and the surface's outline.
+// The picture of a plane's cut shows the whole cross-section once, and the outline of the surface.
 #include "reference/figure/figure.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ using Eigen::Vector3d;
 using test::block;
 using test::section_area;
 
-// The closed polygons of a path: moves and lines in relative coordinates.
+// The sum of the areas of the closed polygons of a path, which consists of moves and lines in relative
+// coordinates.
 double path_area(const std::string& data, int* polygons) {
   std::istringstream stream(data);
   double x = 0, y = 0, twice = 0, x0 = 0, y0 = 0;
@@ -59,7 +60,6 @@ struct Picture {
   std::string outline, title, texts;
 };
 
-// Reads the SVG as XML.
 Picture parse(const std::string& svg) {
   std::istringstream stream(svg);
   boost::property_tree::ptree tree;
@@ -97,14 +97,14 @@ TEST(Figure, ShowsTheWholeSectionOnce) {
     EXPECT_EQ(svg, figure(made.mesh(), surface, options));
     const Picture picture = parse(svg);
     EXPECT_EQ(picture.title, "a <b> & \"c\" ??");
-    // The box is four by four lengths, drawn 760 pixels wide; corners are rounded to a fifth of a pixel.
+    // The box is four by four units and is drawn 760 pixels wide. Corners are rounded to a fifth of a pixel.
     const double expected = section_area(made.mesh(), 0, 0.01);
     EXPECT_NEAR(picture.area / (190 * 190), expected, 2e-3 * expected);
     const PlaneCut section = cut(made.mesh(), surface, options.plane);
     EXPECT_LE(picture.polygons, static_cast<int>(section.polygons.size()));
     EXPECT_GT(picture.polygons, static_cast<int>(section.polygons.size()) * 9 / 10);
     EXPECT_GT(picture.paths, 3);
-    // One closed line around the sphere: the area in it is that of the circle, but for its being a polygon.
+    // One closed line around the sphere. It is a polygon, so its area is a little less than the circle's.
     int loops = 0;
     EXPECT_NEAR(path_area(picture.outline, &loops) / (950.0 * 950), 3.1416, 0.02);
     EXPECT_EQ(loops, 1);
@@ -123,7 +123,7 @@ TEST(Figure, APlaneThatMissesTheGridIsRefused) {
     EXPECT_STREQ(error.what(), "the plane x = 2 misses the grid, which has 48 tetrahedra");
   }
   EXPECT_THROW(figure({}, {}, {}), InputError);
-  // A plane that runs along the grid's boundary shows it.
+  // A plane along the grid's boundary shows this boundary.
   EXPECT_EQ(parse(figure(block(2), {}, {.plane = {Vector3d::UnitX(), 1}, .title = "t"})).polygons, 8);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cut of a plane through a grid: its polygons fill the domain's cross-section once, wherever the plane
-// runs; the outline of the surface; planes as text.
+// The cut of a plane through a grid: its polygons fill the cross-section of the domain once, wherever the
+// plane is. Also the outline of the surface, and planes as text.
 #include "reference/figure/plane_cut.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,6 @@ using Eigen::Vector3d;
 using test::block;
 using test::section_area;
 
-// The area of a polygon by the shoelace formula around its first corner.
 double area(const CutPolygon& polygon) {
   Vector3d twice = Vector3d::Zero();
   for (int i = 1; i + 1 < polygon.corners; ++i)
@@ -42,7 +41,8 @@ Key key(const Vector3d& point) {
   return {point.x() + 0.0, point.y() + 0.0, point.z() + 0.0};
 }
 
-// Polygons meet edge to edge: each edge belongs to one or two of them, and those of one close up to loops.
+// Polygons meet edge to edge: each edge belongs to one or two polygons, and the edges that belong to one form
+// closed loops.
 void expect_conforming(const PlaneCut& cut) {
   std::map<std::set<Key>, int> edges;
   for (const CutPolygon& polygon : cut.polygons)
@@ -69,13 +69,14 @@ TEST(PlaneCut, FillsTheCubesSectionWhereverThePlaneRuns) {
         const PlaneCut section = cut(mesh, none, {Vector3d::Unit(axis), value});
         EXPECT_NEAR(area(section), 1, 1e-14) << n << " cells, axis " << axis << " at " << value;
         if (value != 1e-300 && value != std::nextafter(1.0, 0))
-          expect_conforming(section);  // corners coincide
+          expect_conforming(section);  // at those two values corners coincide
         for (const CutPolygon& polygon : section.polygons)
           for (int i = 0; i < polygon.corners; ++i) EXPECT_EQ(polygon.points[i][axis], value);
       }
     for (const double value : {-0.1, 1.1, std::nextafter(1.0, 2), std::nextafter(0.0, -1)})
       EXPECT_TRUE(cut(mesh, none, {Vector3d::UnitX(), value}).polygons.empty());
-    // Obliquely: a regular hexagon, a triangle, the diagonal plane (a lattice plane of the split), a corner.
+    // Oblique planes: a regular hexagon, a triangle, the diagonal plane (a lattice plane of the split), a
+    // corner.
     const Vector3d ones(1, 1, 1);
     EXPECT_NEAR(area(cut(mesh, none, {ones, 1.5})), 0.75 * std::sqrt(3), 1e-14);
     EXPECT_NEAR(area(cut(mesh, none, {ones, 1})), 0.5 * std::sqrt(3), 1e-14);
@@ -99,7 +100,7 @@ TEST(PlaneCut, FillsTheSectionOfAGrid) {
           EXPECT_NEAR(area(section), expected, 1e-12) << name << ", axis " << axis << " at " << value;
           expect_conforming(section);
         }
-      // In a plane of the lattice: as much as close beside it.
+      // In a lattice plane the area is that of a plane close by.
       for (int axis = 0; axis < 3; ++axis) {
         const auto& planes = made.lattice.planes[axis];
         const double value = planes[planes.size() / 2];
@@ -119,14 +120,14 @@ TEST(PlaneCut, ATetrahedronInEveryPosition) {
     const PlaneCut section = cut(mesh, none, {normal, offset});
     return section.polygons.empty() ? 0 : section.polygons.at(0).corners;
   };
-  EXPECT_EQ(corners({0, 0, 1}, 0.5), 3);   // one vertex on its own
-  EXPECT_EQ(corners({1, 1, 0}, 0.5), 4);   // two and two
-  EXPECT_EQ(corners({0, 0, 1}, 1), 0);     // touches a vertex
-  EXPECT_EQ(corners({1, 0, 1}, 0), 0);     // touches an edge
-  EXPECT_EQ(corners({0, 0, 1}, 0), 3);     // holds a face
-  EXPECT_EQ(corners({1, -1, 0}, 0), 3);    // holds an edge
-  EXPECT_EQ(corners({1, -0.5, 0}, 0), 3);  // holds an edge
-  EXPECT_EQ(corners({1, 2, -1}, 0), 3);    // holds a vertex, between one and two others
+  EXPECT_EQ(corners({0, 0, 1}, 0.5), 3);   // one vertex on one side
+  EXPECT_EQ(corners({1, 1, 0}, 0.5), 4);   // two vertices on each side
+  EXPECT_EQ(corners({0, 0, 1}, 1), 0);     // touches one vertex
+  EXPECT_EQ(corners({1, 0, 1}, 0), 0);     // touches one edge
+  EXPECT_EQ(corners({0, 0, 1}, 0), 3);     // contains a face
+  EXPECT_EQ(corners({1, -1, 0}, 0), 3);    // contains an edge
+  EXPECT_EQ(corners({1, -0.5, 0}, 0), 3);  // contains an edge
+  EXPECT_EQ(corners({1, 2, -1}, 0), 3);    // contains a vertex; one is on one side, two on the other
   EXPECT_EQ(corners({1, 1, 1}, 2), 0);
 }
 
@@ -140,7 +141,7 @@ TEST(PlaneCut, AFaceInThePlaneIsDrawnOnceForTheNegativeSide) {
   std::swap(mesh.tets[0], mesh.tets[1]);
   EXPECT_EQ(cut(mesh, {}, plane).polygons.at(0).tet, 0);
   mesh.tets.erase(mesh.tets.begin());
-  EXPECT_EQ(cut(mesh, {}, plane).polygons.at(0).tet, 0);  // only one above is left
+  EXPECT_EQ(cut(mesh, {}, plane).polygons.at(0).tet, 0);  // only the one above is left
 }
 
 double length(const PlaneCut& section) {
@@ -154,14 +155,14 @@ TEST(Outline, RunsAroundTheSurfaceOnce) {
   const auto outline = [&](const char* name, const Vector3d& normal, double offset) {
     return cut(none, corpus::open_surface(name), {normal, offset});
   };
-  // Through an octahedron's vertices and edges, between them, and beside it.
+  // Planes through an octahedron's vertices and edges, between them, and beside it.
   EXPECT_NEAR(length(outline("octahedron:", Vector3d::UnitZ(), 0)), 4 * std::sqrt(2), 1e-14);
   EXPECT_EQ(outline("octahedron:", Vector3d::UnitZ(), 0).outline.size(), 4u);
   EXPECT_NEAR(length(outline("octahedron:", Vector3d::UnitZ(), 0.5)), 2 * std::sqrt(2), 1e-14);
   EXPECT_NEAR(length(outline("octahedron:", {1, 1, 0}, 0)), 4 * std::sqrt(1.5), 1e-14);
   EXPECT_EQ(length(outline("octahedron:", Vector3d::UnitZ(), 1)), 0);
   EXPECT_TRUE(outline("octahedron:", Vector3d::UnitZ(), 2).outline.empty());
-  // A box's face in the plane: its border, not the triangles in it.
+  // If a face of a box is in the plane, the outline is its border and not the triangles in it.
   for (const double x : {0.0, 0.3, 0.5, 1.0})
     EXPECT_NEAR(length(outline("box:n=4", Vector3d::UnitX(), x)), 4, 1e-14) << x;
 }

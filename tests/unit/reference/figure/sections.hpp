@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cube's grid, and the area of a grid's cross-section computed in another way than by the code under test.
+// A grid of a cube; and the area of a grid's cross-section, computed differently from the code under test.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 
 namespace tetproof::test {
 
-/// The unit cube in n x n x n cells of six tetrahedra.
+/// The unit cube, cut into n x n x n cells of six tetrahedra.
 inline TetMesh block(int n) {
   TetMesh mesh;
   for (int k = 0; k <= n; ++k)
@@ -32,8 +32,8 @@ inline TetMesh block(int n) {
   return mesh;
 }
 
-/// The cross-section's area from the boundary faces alone: a sum over the directed segments in which the
-/// plane x_axis = value meets them. For planes through no vertex.
+/// The area of the cross-section, computed from the boundary faces alone: the sum over the directed segments
+/// in which the plane x_axis = value meets them. The plane must not contain a vertex.
 inline double section_area(const TetMesh& mesh, int axis, double value) {
   std::map<std::array<Index, 3>, std::pair<int, std::array<Index, 3>>> faces;
   for (const auto& tet : mesh.tets)
