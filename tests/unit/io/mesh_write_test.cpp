@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files as they are written, and what the formats cannot hold, against text written by hand.
+// The files that are written, and the losses that are listed, compared with text written by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,8 +89,8 @@ TEST(MeshWrite, NamedCellDataInVtu) {
       << text;
 }
 
-// Everything at once: two tetrahedra (one of second order), a triangle in two groups, sparse numbers, a
-// reference that leads nowhere, parameters, a boundary, attributes, a section of another's.
+// A document with everything: two tetrahedra (one of second order), a triangle in two groups, sparse numbers,
+// a node that does not exist, parameters, a boundary, attributes, and a section of another program.
 Document rich() {
   Document document;
   document.format = "msh41";
@@ -176,7 +176,7 @@ const std::vector<LossCase> loss_cases{
       "section $Mine: 1 (2 bytes)"}},
 };
 
-// What the format does not hold, lost or kept aside.
+// The items that the format does not hold. They are either lost or kept aside.
 std::vector<Loss> unheld(const std::string& path, const Document& document, const WriteOptions& options) {
   const std::vector<Loss> lost = losses(path, document, options);
   const std::vector<Loss> kept = kept_aside(path, document, options).items;
@@ -205,7 +205,7 @@ TEST(Losses, NoneForAPlainMesh) {
     EXPECT_TRUE(losses(file, document_of(triangle)).empty()) << file;
 }
 
-// A view of Gmsh's at two times, and one of an element alone.
+// A view of Gmsh with two time steps, and a view of one element only.
 TEST(Losses, OfValuesWhoseNumbersAreThere) {
   const test::TestFiles files;
   const std::string data = "1\n\"heat\"\n1\n", two = "3\n0\n1\n2\n8 0.5\n9 1.5\n$EndNodeData\n";
@@ -242,7 +242,8 @@ TEST(Losses, OfValuesWhoseNumbersAreThere) {
   EXPECT_TRUE(std::isnan(back.element_values[0].reals[1]));
 }
 
-// In 4.1 an element's groups and partitions are its entity's: one entity in two groups becomes two.
+// In 4.1 an element has the groups and partitions of its entity, so an entity with elements of two groups
+// becomes two entities.
 TEST(Losses, AnEntityInTwoGroups) {
   const test::TestFiles files;
   const Document document = read_document(files.write(
@@ -266,7 +267,7 @@ TEST(Losses, AnEntityInTwoGroups) {
 TEST(MeshViews, SecondOrderByItsCorners) {
   const Document document = rich();
   const TetMesh mesh = tet_mesh(document);
-  EXPECT_EQ(mesh.points.size(), 4u);  // the nodes between corners are no points of it
+  EXPECT_EQ(mesh.points.size(), 4u);  // without the nodes between corners
   EXPECT_EQ(mesh.tets, (std::vector<std::array<Index, 4>>{{0, 1, 2, 3}, {0, 1, 2, -1}}));
   const Numbering names = numbering(document);
   EXPECT_EQ(names.point(3), 40);
@@ -280,8 +281,8 @@ TEST(MeshViews, SecondOrderByItsCorners) {
 TEST(MeshWrite, TetgenRenumbersAndKeepsUnknownNumbersUnknown) {
   const test::TestFiles files;
   Document document = rich();
-  document.unknown = {2};                       // which is a node once they are numbered from 1
-  document.element_values[0].reals.pop_back();  // of the tetrahedra alone
+  document.unknown = {2};                       // would be a node once nodes are numbered from 1
+  document.element_values[0].reals.pop_back();  // the tetrahedra have attributes, the triangle has none
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "2 4 1\n1 1 2 3 4 2.25\n2 1 2 3 11 0\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 1\n1 1 2 3 7\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Periodic links, ghosts, data of views, and elements in several groups, in every version of .msh: read from
-// text written by hand, or refused with the place.
+// Reads periodic links, ghosts, data of views, and elements in several groups, in every version of .msh, from
+// text written by hand. Errors name the place.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -28,7 +28,7 @@ const std::string data_text =
     "v elements' nodes jump 2 view 0 0 0 [] at 6 ?77 of 3 1: 1 2 3 4 5 6 7 8\n";
 
 struct ReadCase {
-  std::string name, file, expected;  // behind the last element
+  std::string name, file, expected;  // the document's text behind its last element
   std::vector<std::string> warnings = {};
 
   friend void PrintTo(const ReadCase& test, std::ostream* out) { *out << test.name; }
@@ -57,7 +57,7 @@ const std::vector<ReadCase> read_cases{
      "v nodes T 1 view 0 0 0 [] at 10 ?7: 1 2\n"},
     {"DataOfNothing", mesh41 + "$NodeData\n1\n\"\"\n1\n0\n3\n0\n1\n0\n$EndNodeData\n",
      "v nodes  1 view 0 0 0 [] at: \n"},
-    {"DataOfCopies",  // as Gmsh writes it: the element's last number
+    {"DataOfCopies",  // Gmsh names an element by the last of its numbers
      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n"
      "$Elements\n3\n1 15 2 7 1 1\n2 15 2 8 1 1\n3 15 2 8 2 1\n$EndElements\n"
      "$ElementData\n1\n\"a\"\n1\n0\n3\n0\n1\n2\n2 20\n3 30\n$EndElementData\n",
@@ -104,7 +104,7 @@ TEST_P(MeshData, IsRead) {
 INSTANTIATE_TEST_SUITE_P(ByHand, MeshData, testing::ValuesIn(read_cases),
                          [](const auto& test) { return test.param.name; });
 
-TEST(MeshDataRead, PolygonsHaveTheirNumberOfNodesInFrontOfThem) {  // in 2.2, as Gmsh has it
+TEST(MeshDataRead, PolygonsHaveTheirNumberOfNodesInFrontOfThem) {  // in 2.2, as in Gmsh
   const test::TestFiles files;
   const std::string text =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 2 1 0\n4 1 2 0\n5 0 1 "
@@ -124,7 +124,7 @@ struct ErrorCase {
   friend void PrintTo(const ErrorCase& test, std::ostream* out) { *out << test.name; }
 };
 
-// mesh41 has 28 lines, mesh22 15.
+// mesh41 has 28 lines and mesh22 has 15.
 const std::vector<ErrorCase> error_cases{
     {"PeriodicDimension", mesh41 + "$Periodic\n1\n4 1 2\n0\n0\n$EndPeriodic\n",
      "a.msh:31: expected the dimension of a periodic entity, 0 to 3, found 4"},

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same mesh in three versions of .msh, and sections of data that fit each of them; written by hand.
+// The same mesh in three versions of .msh, and sections of data that fit each of them, all written by hand.
 #pragma once
 
 #include <string>
 
 namespace tetproof::test {
 
-/// What follows the elements in the text of a document or a file.
+/// The text behind the last `mark`, for parts of a document or file that follow it.
 inline std::string behind(const std::string& text, const std::string& mark) {
   const std::size_t at = text.rfind(mark);
   return at == text.npos ? "no " + mark : text.substr(at + mark.size());

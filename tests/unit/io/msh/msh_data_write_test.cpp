@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Periodic links, ghosts, data of views, and elements in several groups, in every version of .msh: written as
-// the text that was read.
+// Writes periodic links, ghosts, data of views, and elements in several groups, in every version of .msh: the
+// text is the one that was read.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -21,7 +21,7 @@ using test::mesh22;
 using test::mesh40;
 using test::mesh41;
 
-// The text of a mesh with everything is written as it was read: by hand, above.
+// A mesh with everything is written as the same text that was read, which is written by hand.
 TEST(MeshDataWrite, TheTextThatWasRead) {
   const test::TestFiles files;
   for (const auto& [format, text] :
@@ -43,7 +43,8 @@ TEST(MeshDataWrite, TheTextThatWasRead) {
   }
 }
 
-// In 2.2 once per group, the further ones with new numbers; and read as one element again.
+// In 2.2 an element is listed once for each of its groups, with new numbers after the first time. Reading
+// makes it one element again.
 TEST(MeshDataWrite, OncePerGroupIn22) {
   const test::TestFiles files;
   const std::string head =
@@ -65,7 +66,7 @@ TEST(MeshDataWrite, OncePerGroupIn22) {
   }
 }
 
-// Two elements at one place in two groups are not taken for one element in both.
+// Two elements with the same nodes and different groups stay two elements.
 TEST(MeshDataWrite, TwoElementsThatLookLikeOneInTwoGroups) {
   const test::TestFiles files;
   Document document;

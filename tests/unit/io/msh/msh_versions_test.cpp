@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each version of .msh, text and binary, can hold: what its plan says, and every sample written in it
-// and read again.
+// What each version of .msh can hold, as text and as binary: what its plan says, and every sample written in
+// it and read again.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -42,7 +42,7 @@ TEST(MeshDataWrite, WhatEachVersionHolds) {
     const std::string& format = version.options.format;
     const auto plan = io::codec_named(format).plan(document, version.options.binary.value_or(false));
     const io::Holds& holds = plan->holds();
-    EXPECT_EQ(holds.periodic, format == "msh41") << version.name;  // a transformation of two numbers
+    EXPECT_EQ(holds.periodic, format == "msh41") << version.name;  // its transformation has 2 numbers
     EXPECT_EQ(holds.ghosts, format != "msh22") << version.name;
     EXPECT_EQ(holds.entities, format != "msh22") << version.name;
     EXPECT_EQ(holds.node_entities, format != "msh22") << version.name;
@@ -54,7 +54,7 @@ TEST(MeshDataWrite, WhatEachVersionHolds) {
     EXPECT_FALSE(holds.values(values, io::Of::element)) << version.name;
     values = {.name = "pressure", .reals = {1, 2}, .integers = {}};
     EXPECT_TRUE(holds.values(values, io::Of::element)) << version.name;
-    values.step = 3;  // which only a view has
+    values.step = 3;  // only views have steps
     EXPECT_FALSE(holds.values(values, io::Of::element)) << version.name;
   }
 }
@@ -62,8 +62,8 @@ TEST(MeshDataWrite, WhatEachVersionHolds) {
 const std::filesystem::path formats_folder =
     std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared" / "formats";
 
-// Lines of a document's text that .msh of every version has to hold by itself: nodes, elements without
-// their entities, data.
+// The lines of a document's text that every version of .msh holds without a supplement: nodes, elements
+// without their entities, data.
 std::string core(const Document& document) {
   std::istringstream lines(test::text_of(document, false));
   std::string kept;
@@ -80,7 +80,8 @@ std::string core(const Document& document) {
 
 class MeshVersions : public testing::TestWithParam<Version> {};
 
-// All samples, through each version: everything with what is kept aside, and natively what all can hold.
+// Every sample through each version: with its supplement it comes back whole, without it the parts that all
+// versions hold.
 TEST_P(MeshVersions, HoldEverySample) {
   if (!std::filesystem::exists(formats_folder)) GTEST_SKIP() << formats_folder << " is not here";
   const test::TestFiles files;
@@ -90,7 +91,7 @@ TEST_P(MeshVersions, HoldEverySample) {
     const Document document = read_document(entry.path().string());
     write_document(files.path("a.msh"), document, GetParam().options);
     const Document again = read_document(files.path("a.msh"));
-    // What only says that there is no entity, or follows from the rest, is not kept aside.
+    // Parts that only say that there is no entity, or that follow from the rest, are not kept aside.
     if (!kept_aside("a.msh", document, GetParam().options).items.empty()) {
       EXPECT_EQ(test::text_of(again, false), test::text_of(document, false)) << entry.path();
     }
@@ -98,7 +99,7 @@ TEST_P(MeshVersions, HoldEverySample) {
     const auto plan =
         io::codec_named(GetParam().options.format).plan(document, GetParam().options.binary.value_or(false));
     const io::Holds& holds = plan->holds();
-    // Numbers of more than 4 bytes, and a group 0.
+    // Some versions do not hold numbers of more than 4 bytes, or a group 0.
     bool all = holds.node_tags && holds.element_tags;
     for (const Values& values : document.node_values) all = all && holds.values(values, io::Of::node);
     for (const ElementBlock& block : document.blocks)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every corner of OBJ's grammar: what is read, vertex by vertex and triangle by triangle.
+// Every construct of OBJ's grammar: the vertices and triangles that are read.
 #include <gtest/gtest.h>
 
 #include <string>

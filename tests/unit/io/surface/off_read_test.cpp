@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every corner of OFF's grammar: what is read, vertex by vertex and triangle by triangle.
+// Every construct of OFF's grammar: the vertices and triangles that are read.
 #include <gtest/gtest.h>
 
 #include <limits>

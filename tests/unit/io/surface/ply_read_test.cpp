@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every corner of PLY's grammar, text and binary: what is read, vertex by vertex and triangle by triangle.
+// Every construct of PLY's grammar, text and binary: the vertices and triangles that are read.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -33,7 +33,7 @@ std::string ply_body(bool big) {
 std::vector<ReadCase> ply_cases() {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   const std::string text = ply_header("ascii") + points + faces;
-  // A point whose first byte is an LF, which must not be taken for the second half of a line end.
+  // A point whose first byte is an LF. It must not be taken for the second half of a line end.
   Bytes lf;
   lf(std::bit_cast<double>(std::uint64_t{0x400000000000000a}))(0.0)(0.0)(1.0)(0.0)(0.0)(0.0)(1.0)(0.0);
   lf(std::uint8_t{3})(std::int32_t{0})(std::int32_t{1})(std::int32_t{2});
@@ -131,8 +131,8 @@ std::vector<ReadCase> ply_cases() {
        "element vertex 4\nproperty int x\nproperty int y\nproperty int z\nend_header\n"
        "9 0 1 2 3 -1 0 2 3 1 7\n6 1 1 0 3 3 2 8\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n",
        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}},
-       // 0 1 2, 2 1 3; 0 2 3, 3 2 1; 1 1 0, 0 1 3, 0 3 3 and 3 3 2 in turn: two with equal corners on each
-       // side.
+       // The first strip is 0 1 2, 2 1 3. The second one is 0 2 3, 3 2 1. The third one is 1 1 0, 0 1 3, 0 3
+       // 3, 3 3 2: its triangles with equal corners are left out.
        {{0, 1, 2}, {2, 1, 3}, {0, 2, 3}, {3, 2, 1}, {0, 1, 3}}},
       {"ByContent", "a.xyz", text, tet_points, tet_triangles},
   };

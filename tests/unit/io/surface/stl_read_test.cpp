@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every corner of STL's grammar, text and binary: what is read, vertex by vertex and triangle by triangle.
+// Every construct of STL's grammar, text and binary: the vertices and triangles that are read.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -33,7 +33,7 @@ const std::vector<Points> stl_two{{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}, {{4, 5, 6}
 const Points two_points{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {0, 0, 9}};
 const Triangles two_triangles{{0, 1, 2}, {1, 0, 3}};
 
-// Text whose size happens to be 84 + 50 n, so that only the count tells it from binary.
+// Text whose size happens to be 84 + 50 n, so that only the number of facets shows that it is not binary.
 std::string padded_text_stl() {
   std::string text = "solid x\n" + stl_facet + "endsolid x\n";
   while ((text.size() - 84) % 50 != 0) text += '\n';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other programs: they read the surfaces that we write, and theirs come back from their own formats.
+// Other programs read the surfaces that we write. Their own files come back from the format that they are in.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace {
 
 using test::told;
 
-// Other programs' readers: points, cells and names of values, no warning.
+// VTK and meshio see the same points, cells and names of values, and do not warn.
 TEST(SurfaceDocuments, VtkAndMeshioReadWhatWeWrite) {
   const test::TestFiles files;
   const std::string python = "/usr/bin/python3 ", quiet = " > " + files.path("out") + " 2>&1";
@@ -65,7 +65,7 @@ for name in ('a.stl', 'b.stl', 'a.obj', 'a.ply', 'b.ply', 'a.off'):
           "a.ply 4 [('triangle', 2)] 4.5\nb.ply 4 [('triangle', 2)] 4.5\na.off 4 [('triangle', 2)] 4.5\n");
 }
 
-// Every sample that is read comes back from its own format.
+// Every sample that can be read comes back from its own format.
 TEST(SurfaceDocuments, SamplesComeBack) {
   const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared";
   if (!std::filesystem::exists(shared / "formats"))

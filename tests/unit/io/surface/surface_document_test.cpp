@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything in surface files beside points and triangles: read as it is, listed where it is dropped, and
-// written so that it comes back.
+// Everything in surface files besides points and triangles: what is read, what is listed as dropped, and that
+// it is written and comes back.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ using test::told;
 
 struct Case {
   std::string name, file, bytes, told;
-  std::vector<std::string> warnings{};  // without the folder
-  bool binary = false;                  // how it is written again
+  std::vector<std::string> warnings{};  // without the folder's name
+  bool binary = false;                  // the encoding in which it is written again
   std::vector<std::string> dropped{};   // "count item (example)"
 
   friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
@@ -40,7 +40,7 @@ const std::string facet =
 const std::string other_facet =
     "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
 
-// One facet with this header and attribute, and a normal along z.
+// A file of one facet with this header and attribute; its normal is along z.
 std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_z = 1) {
   bytes.resize(84 + 50);
   bytes[80] = 1;
@@ -50,7 +50,7 @@ std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_
   return bytes;
 }
 
-// Numbers of binary OFF, the most significant byte first.
+// Appends numbers of binary OFF, the most significant byte first.
 std::string binary_off(std::string bytes, const std::vector<std::uint32_t>& integers) {
   for (const std::uint32_t integer : integers)
     for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(integer >> shift & 255);
@@ -240,7 +240,7 @@ const std::vector<Case> cases{
      "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement q x1: 0.5 1.5 2.5\ntable vertex 3\n  ring (list uchar uint) 7 8 9 "
      "[0 2 1]\n"
      "table camera 2\n  f (float32) 0.25 3 []\n  view (list uint8 int16) -4 [1 0]\n"},
-    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; another property name, the same when decoded
+    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; the names are equal when decoded
      ply_start + "element vertex 3\n" + ply_xyz + "element face 1\n" + ply_list +
          "property uchar markers\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
          "property uchar %6Darkers\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n0 1 6\n1 2 7\n",
@@ -275,7 +275,7 @@ TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
     dropped.push_back(fmt::format("{} {} ({})", loss.count, loss.item, loss.example));
   EXPECT_EQ(dropped, given.dropped);
 
-  // Into its own format: the same, but for elements without their nodes.
+  // Written in its own format it comes back. Elements that name unknown nodes do not.
   if (!document.unknown.empty()) return;
   const bool is_ply = given.file == "a.ply";
   for (const bool binary : {false, true}) {

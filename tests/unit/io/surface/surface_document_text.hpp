@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document of a surface as a few lines of text; and the beginnings of surface files.
+// A surface's document as a few lines of text; beginnings of surface files.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the surface formats write of a document, and what they cannot write and list as lost.
+// What the surface formats write, and what they cannot hold and list as lost.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using test::ply_xyz;
 using test::square;
 using test::told;
 
-// The bytes by hand.
+// The bytes are compared with text written by hand.
 TEST(SurfaceDocuments, AreWrittenAsTheFormatsSay) {
   const test::TestFiles files;
   Document document = read_document(files.write(
@@ -55,7 +55,7 @@ TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
     EXPECT_EQ(read_document(path).points.size(), 5U);
   }
 }
-// A square becomes two triangles; what is not planar is left out and told.
+// A square becomes two triangles. A polygon that is not planar is left out and listed.
 TEST(SurfaceDocuments, StlCutsPolygons) {
   const test::TestFiles files;
   const Document document =
@@ -73,7 +73,7 @@ TEST(SurfaceDocuments, StlCutsPolygons) {
   EXPECT_EQ(lost[1].example, "element 2");
 }
 
-// One table that PLY has no place for takes no other with it.
+// If PLY has no place for one table, the other tables are written all the same.
 TEST(SurfaceDocuments, PlyLosesTablesOneByOne) {
   const test::TestFiles files;
   Document document = read_document(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Documents with everything that TetGen's files of a mesh can say.
+// A document with everything that TetGen's files of a mesh can hold.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ inline Values reals(const char* name, int components, std::vector<double> number
   return {.name = name, .components = components, .reals = std::move(numbers), .integers = {}};
 }
 
-/// A tetrahedron, two of its faces and an edge, with everything that TetGen says of them.
+/// A tetrahedron, two of its faces and an edge, with all values that TetGen has for them.
 inline Document tetgen_document() {
   Document document;
   document.points = {{0, 0, 0}, {0.1, 0, 0}, {-0.0, 1, 0}, {0, 0, 5e-324}};

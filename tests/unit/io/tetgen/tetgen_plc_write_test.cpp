@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writers of TetGen's .poly and .smesh put where, and that it comes back.
+// The writers of TetGen's .poly and .smesh: where each part is written, and that it comes back.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -73,11 +73,11 @@ TEST(TetgenWrite, AFacetHasOneMarker) {
   const io::Holds holds = io::plan_poly(document, false)->holds();
   EXPECT_TRUE(holds.facets);
   EXPECT_FALSE(holds.values(document.element_values[0], io::Of::element));
-  document.facets[0].polygons = 9;  // more than there are
+  document.facets[0].polygons = 9;  // more than the document has
   EXPECT_FALSE(io::plan_poly(document, false)->holds().facets);
 }
 
-// TetGen cuts lines at 2047 bytes.
+// TetGen reads at most 2047 bytes of a line.
 TEST(TetgenWrite, LongPolygonsOverLines) {
   const test::TestFiles files;
   Document document;
@@ -93,7 +93,7 @@ TEST(TetgenWrite, LongPolygonsOverLines) {
   }
 }
 
-// Of a mesh that says nothing else, all faces are the boundary to be meshed.
+// If a mesh has no facets, all its faces are the boundary to be meshed.
 TEST(TetgenWrite, FacesOfAMeshAsFacets) {
   const test::TestFiles files;
   Document document = tetgen_document();

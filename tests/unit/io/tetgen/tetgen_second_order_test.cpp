@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tetrahedra, faces and edges of second order in TetGen's files: the order of their nodes, and that they come
+// Second-order tetrahedra, faces and edges in TetGen's files: the order of their nodes, and that they come
 // back.
 #include <gtest/gtest.h>
 
@@ -51,8 +51,8 @@ TEST(TetgenWrite, SecondOrder) {
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.ele"))), test::tetgen_text(document));
 }
 
-// Nodes between corners in an order that the reader would take for that of one of TetGen's switches, and
-// change, are not written but come back from the comments.
+// If the nodes between corners are in an order that the reader would take for another switch of TetGen, they
+// are not written. They come back from the comments.
 TEST(TetgenWrite, SecondOrderInAnotherOrder) {
   const test::TestFiles files;
   Document straight = second_order(false);
@@ -67,7 +67,7 @@ TEST(TetgenWrite, SecondOrderInAnotherOrder) {
     const Document back = read_document(files.path("a.ele"));
     EXPECT_EQ(back.connectivity, document.connectivity);
     EXPECT_EQ(test::tetgen_text(back), test::tetgen_text(document));
-    const auto words = [&](const char* file) {  // of the second line
+    const auto words = [&](const char* file) {  // number of words in the second line
       std::istringstream text(test::TestFiles::read(files.path(file)));
       std::string line;
       std::getline(text, line), std::getline(text, line);
@@ -83,7 +83,7 @@ TEST(TetgenWrite, SecondOrderInAnotherOrder) {
   }
 }
 
-// Tetrahedra behind bare corners would be taken for nodes between them.
+// Behind the corners alone, neighbouring tetrahedra would be taken for the nodes between them.
 TEST(TetgenWrite, FirstOrderBesideSecondOrder) {
   const test::TestFiles files;
   const Document document = second_order(true);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writers of TetGen's mesh files (.node, .ele, .face, ...) put where, and that it comes back.
+// The writers of TetGen's mesh files (.node, .ele, .face, ...): where each part is written, and that it comes
+// back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ TEST(TetgenWrite, TheWholeSet) {
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.1.neigh"))), test::tetgen_text(document));
 }
 
-// Whatever is written comes back as `Holds` says.
+// `Holds` says what comes back.
 TEST(TetgenWrite, HoldsAllOfItsOwn) {
   const Document document = tetgen_document();
   const io::Holds holds = io::plan_tetgen(document, false)->holds();
@@ -76,7 +77,7 @@ TEST(TetgenWrite, HoldsNoValuesOfOtherElementsOrKinds) {
     EXPECT_FALSE(holds.values(values, io::Of::node)) << values.name;
   for (const Values& values : document.element_values)
     EXPECT_FALSE(holds.values(values, io::Of::element)) << values.name;
-  // It writes none of them, but keeps them aside.
+  // None of them is written; they are kept aside.
   const test::TestFiles files;
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.node")).substr(0, 8), "4 3 0 0\n");
@@ -106,7 +107,7 @@ TEST(TetgenWrite, KindByKind) {
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.ele"))), test::tetgen_text(document));
 }
 
-// Values of the same name that stand in another order than their files come back where they were.
+// Values with the same name come back in their places, even if the files have them in another order.
 TEST(TetgenWrite, ValuesInAnotherOrder) {
   const test::TestFiles files;
   Document document = tetgen_document();
@@ -117,8 +118,8 @@ TEST(TetgenWrite, ValuesInAnotherOrder) {
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.ele"))), test::tetgen_text(document));
 }
 
-// Where a document has no attributes and markers of its own, TetGen is told the first physical group; and
-// what is read back are groups again.
+// If a document has no attributes and markers, the first physical group is written in their place, and is
+// read as a group again.
 TEST(TetgenWrite, GroupsAreTetgensAttributesAndMarkers) {
   const test::TestFiles files;
   Document document;
@@ -146,7 +147,7 @@ TEST(TetgenWrite, GroupsAreTetgensAttributesAndMarkers) {
   EXPECT_NE(lines_of("c.smesh").find("\n2 1\n3 1 3 2 -6\n3 1 2 4 0\n0\n0\n"), std::string::npos)
       << lines_of("c.smesh");
 
-  document.element_values = {{.name = "attributes", .reals = {0.5}}};  // which come first
+  document.element_values = {{.name = "attributes", .reals = {0.5}}};  // attributes win over groups
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 1\n1 1 2 3 4 0.5\n");
 }

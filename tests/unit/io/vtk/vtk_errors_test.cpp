@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's files, both formats: what is refused, with the place.
+// Both formats of VTK: files that are refused, and the place that the message names.
 #include <gtest/gtest.h>
 
 #include <string>

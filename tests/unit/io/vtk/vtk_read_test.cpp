@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's files, both formats: what is read of text and bytes written by hand, and of samples of other
-// programs. Files that VTK itself writes: tests/programs/vtk_files.py.
+// Reads both formats of VTK: text and bytes written by hand, and samples of other programs. For files that
+// VTK itself writes see tests/programs/vtk_files.py.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -58,7 +58,8 @@ TEST(VtkFiles, LegacyText) {
 
 TEST(VtkFiles, LegacyPolygonalData) {
   const test::TestFiles files;
-  // A strip, a line of two pieces, two vertices in one cell, a pentagon; cell data by kind, not as listed.
+  // A strip, a line of two segments, two vertices in one cell, a pentagon. Cell data are in the order of the
+  // kinds, not in the file's order.
   EXPECT_EQ(
       read_text(files, "a.vtk",
                 "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
@@ -102,7 +103,7 @@ TEST(VtuFiles, PiecesOneAfterTheOther) {
 
 TEST(VtuFiles, CompressedAndAppendedRaw) {
   const test::TestFiles files;
-  // Two blocks of 12 values' 96 bytes, the border inside of a number; big-endian, header of 32 bits.
+  // The 96 bytes of 12 values in two blocks; a number lies in both. Big-endian, with a header of 32 bits.
   std::string values;
   for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) test::append(values, x, std::endian::big);
   const auto packed = [](const std::string& plain) {
@@ -135,7 +136,7 @@ TEST(VtuFiles, CompressedAndAppendedRaw) {
 TEST(VtkFiles, SamplesOfOtherPrograms) {
   const auto folder = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared" / "formats";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
-  // What Gmsh wrote as .msh and as .vtk is the same mesh: 62 nodes, 189 elements.
+  // Gmsh wrote the same mesh as .msh and as .vtk: 62 nodes, 189 elements.
   const Document msh = read_document(folder / "gmsh484_out/two41all.msh"),
                  vtk = read_document(folder / "gmsh484_out/g.vtk");
   ASSERT_EQ(vtk.points.size(), msh.points.size());
@@ -145,7 +146,7 @@ TEST(VtkFiles, SamplesOfOtherPrograms) {
   std::set<std::int64_t> volumes;
   for (const ElementBlock& block : vtk.blocks)
     if (block.dim == 3) volumes.insert(block.entity);
-  EXPECT_EQ(volumes, (std::set<std::int64_t>{11, 12}));  // groups, where Gmsh has any
+  EXPECT_EQ(volumes, (std::set<std::int64_t>{11, 12}));  // groups, if Gmsh has any
   const Document tetgen = read_document(folder / "tetgen150_out/cube_attr.1.vtk");
   EXPECT_EQ(tet_mesh(tetgen).tets,
             (std::vector<std::array<Index, 4>>{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's files, both formats: what is written comes back equal, and can be read by others.
+// Writes both formats of VTK: everything comes back equal, and other programs can read it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace tetproof {
 namespace {
 
-// All that both formats hold, and doubles that are easily lost.
+// Everything that both formats hold, and doubles that are easily damaged.
 TEST(VtkFiles, RoundTrips) {
   Document document;
   document.title = "a title";
@@ -54,7 +54,7 @@ TEST(VtkFiles, RoundTrips) {
     }
 }
 
-// Padding inside the base64 of an array stops Python's decoder: "Incorrect padding" since Python 3.13.
+// Padding inside an array's base64 stops Python's decoder ("Incorrect padding" since Python 3.13).
 TEST(VtuFiles, Base64IsPaddedAtItsEndOnly) {
   const test::TestFiles files;
   for (int cells = 0; cells < 7; ++cells) {
@@ -89,7 +89,7 @@ TEST(VtuFiles, Base64IsPaddedAtItsEndOnly) {
 TEST(VtkFiles, SaysWhatVtkItselfMisreads) {
   Document document;
   document.points = {{0, 0, 0}, {1, 0, 0}};
-  document.node_values.push_back({.name = "u", .reals = {1}, .at = {1}});  // the other node gets nan
+  document.node_values.push_back({.name = "u", .reals = {1}, .at = {1}});  // the other node is written as nan
   const std::string misread =
       "a.vtk: point data \"u\" has nan or inf, which VTK itself reads in binary, but not in text, where it "
       "misreads all that follows";
