@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading through Gmsh goes wrong: one line of error for all that can happen there, an end after some time,
-// and nothing left behind.
+// Errors of reading through Gmsh: each is one line, Gmsh is stopped after some time, and nothing is left
+// behind.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -22,7 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// The one line of an error about `in`, after the program's and the file's name.
+/// The text of the error about `in`, after the names of the program and the file. Expects that it is one
+/// line.
 std::string refusal(const ScratchFolder& folder, const std::string& in,
                     const std::vector<std::string>& environment = {}) {
   const auto before = folder.names();
@@ -37,7 +38,7 @@ std::string refusal(const ScratchFolder& folder, const std::string& in,
   return run.err.size() > start.size() ? run.err.substr(start.size(), run.err.size() - start.size() - 1) : "";
 }
 
-/// An executable script in the place of the helper program.
+/// Makes a script that replaces the helper program; returns the environment variable that names it.
 std::string helper_that(const ScratchFolder& folder, const std::string& does) {
   const std::string path = folder.write("helper", "#!/bin/sh\n" + does + "\n");
   ::chmod(path.c_str(), 0755);
@@ -67,7 +68,7 @@ TEST(GmshImport, GmshsErrorsAreOurs) {
 
 TEST(GmshImport, ACrashOfGmshIsAnError) {
   const ScratchFolder folder;
-  // Which file crashes Gmsh depends on its version: programs in the helper's place are certain to.
+  // Which file crashes Gmsh depends on its version. Scripts in place of the helper crash for certain.
   folder.write("a.unv", "");
   EXPECT_EQ(refusal(folder, "a.unv", {helper_that(folder, "kill -SEGV $$")}),
             "Gmsh crashes on it (signal 11, Segmentation fault)");
@@ -89,7 +90,7 @@ TEST(GmshImport, FilesThatCrashGmshDoNotReachIt) {
   if (!std::filesystem::exists(crashers)) GTEST_SKIP() << "no " << crashers;
   for (const auto& entry : std::filesystem::directory_iterator(crashers)) {
     const ScratchFolder folder;
-    // Gmsh goes by the first line, not by the ending. So do we: our own reader takes a .msh of any name.
+    // Gmsh recognises these files by their first line, whatever their ending. So does our own reader.
     std::filesystem::copy_file(entry.path(), folder / "a.geo");
     const Outcome run =
         run_program({program("tetproof-convert"), "a.geo", "out.msh"}, {.directory = folder / ""});
@@ -133,7 +134,8 @@ TEST(GmshImport, NoLongerThanAllowed) {
 TEST(GmshImport, NothingStaysBehind) {
   const ScratchFolder folder, temporary;
   folder.write("a.unv", "");
-  // The helper tells its number, and that its standard input is empty, before it is stopped together with us.
+  // The helper shows that its standard input is empty (`cat` ends) and which files it has open. Then it is
+  // stopped together with the program.
   const std::string helper = helper_that(folder, "cat; ls /proc/self/fd > fds; touch started; sleep 1000");
   const pid_t child = ::fork();
   if (child == 0) {
@@ -148,7 +150,7 @@ TEST(GmshImport, NothingStaysBehind) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_TRUE(folder.has("started"));
   EXPECT_EQ(temporary.names(), std::vector<std::string>{});
-  EXPECT_EQ(folder.read("fds"), "0\n1\n2\n3\n4\n");  // 4: the folder that `ls` reads
+  EXPECT_EQ(folder.read("fds"), "0\n1\n2\n3\n4\n");  // 4 is the folder that `ls` reads
   ::kill(child, SIGKILL);
   int status = 0;
   ::waitpid(child, &status, 0);

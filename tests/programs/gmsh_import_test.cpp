@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only Gmsh reads comes in through a process of its own: equal content where Gmsh wrote it, meshed
-// geometry, every double as it is.
+// Formats that are read through Gmsh, in a process of its own: equal content if Gmsh wrote the file, meshed
+// geometry, and unchanged doubles.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -20,7 +20,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Two tetrahedra with a common face, each in a group of its own, and the face in a third; numbers with gaps.
+// Two tetrahedra with a common face. Each tetrahedron and the face have their own group, and the numbers have
+// gaps.
 const char* const two_tetrahedra =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
     "$PhysicalNames\n3\n2 21 \"between\"\n3 11 \"steel\"\n3 12 \"air\"\n$EndPhysicalNames\n"
@@ -29,7 +30,7 @@ const char* const two_tetrahedra =
     "-1\n$EndNodes\n"
     "$Elements\n3 3 1 9\n2 1 2 1\n1 10 20 30\n3 1 4 1\n5 10 20 30 40\n3 2 4 1\n9 10 30 20 50\n$EndElements\n";
 
-// Elements as the points of their corners, in the groups of their blocks: free of all numbering.
+// Elements as their corners' points and their blocks' groups, which do not depend on any numbering.
 using Point = std::array<double, 3>;
 using Elements = std::multiset<std::pair<std::set<std::int64_t>, std::vector<Point>>>;
 
@@ -57,7 +58,7 @@ std::set<std::string> names_of(const Document& document) {
   return all;
 }
 
-/// What tetproof-convert makes of a file of the folder: a .msh, read again.
+/// Converts a file of the folder to .msh with tetproof-convert, and reads the result.
 Document converted(const ScratchFolder& folder, const std::string& in) {
   const Outcome run =
       run_program({program("tetproof-convert"), in, "converted.msh", "--binary"}, {.directory = folder / ""});
@@ -149,7 +150,7 @@ TEST(GmshImport, WhatAScriptMeshedStaysAsItIs) {
 TEST(GmshImport, EveryDoubleIsTheOneThatGmshHas) {
   const ScratchFolder folder;
   std::string points;
-  // Gmsh reads a .p3d as free numbers: a cell of 2 x 2 x 2 points, all x, all y, all z.
+  // Gmsh reads the numbers of a .p3d in free format: a cell of 2 x 2 x 2 points, all x, all y, all z.
   const std::vector<const char*> x{"0.30000000000000004",    "1.0000000000000002",      "-0", "4.9e-324",
                                    "1.7976931348623157e308", "2.2250738585072009e-308", "3",  "0.1"};
   for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A list of differences that counts equal ones together.
+// A list of differences that adds up those of the same item.
 #pragma once
 
 #include <cstdint>

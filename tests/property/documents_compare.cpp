@@ -36,7 +36,7 @@ bool same_bits(double a, double b) {
   return bits(a) == bits(b);
 }
 
-// 0, 1, 2, ... or 1, 2, 3, ...
+// Whether the tags are 0, 1, 2, ... or 1, 2, 3, ...
 bool counts_up(const std::vector<std::int64_t>& tags) {
   for (std::size_t i = 0; i < tags.size(); ++i)
     if (tags[i] != tags[0] + static_cast<std::int64_t>(i)) return false;
@@ -91,7 +91,7 @@ class Comparison {
   }
 
   void elements() {
-    // Where elements of a kind came back, those that did not are missing for another reason.
+    // If other elements of the kind came back, these are missing for another reason.
     std::set<std::tuple<int, std::size_t, bool>> kinds;
     const auto kind = [](const Element& e) { return std::tuple(e.type, e.nodes.size(), e.of_boundary); };
     for (std::size_t e = 0; e < old_.size(); ++e)
@@ -172,7 +172,7 @@ class Comparison {
     }
   }
 
-  // All triangles of a polygon say the same.
+  // All triangles of a polygon must have the same groups, partitions and entity.
   void triangles(std::size_t polygon) {
     const Element& first = new_[at(pairs_.cut_after[polygon])];
     Element alike = first;
@@ -190,11 +190,11 @@ class Comparison {
   }
 
   void parts() {
-    // A file may go on naming what it lost by its number, which nothing has now.
+    // A file may still name a lost node or element by a number that nothing has now.
     std::set<std::int64_t> lost_nodes, lost_elements;
     for (std::size_t i = 0; i < before_.points.size(); ++i)
       if (pairs_.node_after[i] == none) lost_nodes.insert(before_.node_tag(i));
-    // By the one that it had, or by its place; where nothing came back that tells which, by either.
+    // This number is the old one or the position. If no element that came back shows which, it may be either.
     bool renumbered = false, same = false;
     for (std::size_t e = 0; e < new_.size(); ++e)
       if (const Index was = pairs_.element_before[e]; was != none)
@@ -213,7 +213,7 @@ class Comparison {
         return to_after->at(at(i)) == none ? std::string{} : fmt::format("{}", i);
       };
     };
-    // What triangles have belongs to the polygon that they were.
+    // Values of triangles belong to the polygon that was cut into them.
     std::vector<Index> elements_after = pairs_.element_after, elements_before = pairs_.element_before;
     for (std::size_t e = 0; e < old_.size(); ++e)
       if (pairs_.cut_after[e] != none) elements_after[e] = pairs_.cut_after[e];

@@ -22,7 +22,7 @@ std::set<std::int64_t> unknown_in(const std::string& text) {
   return numbers;
 }
 
-// Lines in which "?17" is "?", sorted.
+// The sorted lines, with "?17" replaced by "?".
 std::string without_unknown(const std::string& text) {
   std::vector<std::string> lines(1);
   for (std::size_t i = 0; i < text.size(); ++i) {

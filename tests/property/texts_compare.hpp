@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of documents_compare.hpp that is about parts of a document as texts, in any order.
+// The part of documents_compare.hpp that compares parts of a document as texts, in any order.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace tetproof::test {
 
-/// Adds what of `was` has no equal in `is` as lost, and what of `is` has none as gained. A text in `is` that
-/// only says less than a lost one (remnants.hpp) is not gained.
-/// `renumbered_unknown`: numbers of nodes that do not exist, as far as their change is already reported.
+/// Adds texts of `was` without an equal in `is` as lost, and texts of `is` without an equal in `was` as
+/// gained. A remnant of a lost text (remnants.hpp) is not gained.
+/// `renumbered_unknown`: numbers of nodes that do not exist and whose change is already reported.
 void compare_texts(std::vector<Text> was, std::vector<Text> is, DifferenceList& differences,
                    std::set<std::int64_t>& renumbered_unknown);
 
