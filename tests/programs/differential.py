@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""TetGen, VTK and meshio beside tetproof-convert: of each file both understand the same mesh.
+"""Compares TetGen, VTK and meshio with tetproof-convert: both must understand the same mesh of each file.
 
 usage: differential.py --build DIR --peer tetgen|vtk|meshio [--all] [--samples DIR]...
 
-Files of others are read by us (and written as .msh 4.1, which the lines below read) and by the peer; what we write
-from .msh samples in every format that the peer reads, it reads too, without a warning. Elements are compared by the
-bits of their corners' coordinates in order, and by the set of their other nodes. Where the peer is known to do
-something else, differential_known.py says which file, and why. Exit code 77: the peer is not installed, or there are no samples.
+Samples of other programs are read by us (and written as .msh 4.1, which differential_meshes.py reads) and by the peer.
+What we write from .msh samples, in every format that the peer reads, the peer must read without a warning. Elements are
+compared by the bits of their corners' coordinates, in order, and by the set of their other nodes. Known differences of
+a peer are in differential_known.py, with the reasons. Exit code 77: the peer is not installed, or there are no samples.
 """
 import argparse
 import collections
@@ -26,7 +26,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 READS = {"meshio": {".vtk", ".vtu", ".mesh", ".stl", ".off", ".obj", ".ply", ".node"},
          "vtk": {".vtk", ".vtu", ".stl", ".obj", ".ply"}}
-# Which points a comparison is about: a format or a reader may leave out or double those that corners share.
+# Which points are compared: a format or a reader may leave out points, or repeat those that corners share.
 POINTS = {".stl": "used", ".obj": "used"}
 
 
@@ -67,13 +67,13 @@ def compare_samples(peer, read, ours, arguments, failures):
     return compared
 
 
-# What we write: from these samples, in each format and encoding that the peer reads.
+# The samples that we write, and the formats and encodings that the peer reads.
 RICH = ["two_41_text.msh", "two41all.msh", "two41o2b.msh", "hybrid_part.msh"]
 WRITTEN = {"meshio": [("vtu", "--binary"), ("vtu", "--ascii"), ("vtk", "--binary"), ("vtk", "--ascii"),
                       ("medit", "--ascii"), ("medit", "--binary"), ("stl", "--binary"), ("stl", "--ascii"),
                       ("off", "--ascii"), ("obj", "--ascii"), ("ply", "--ascii"), ("ply", "--binary"),
                       ("tetgen", "--ascii"), ("msh41", "--ascii"), ("msh41", "--binary"), ("msh22", "--ascii"),
-                      ("msh22", "--binary")],  # it takes 4.0 for 4.1, of Gmsh's own files too
+                      ("msh22", "--binary")],  # no 4.0, which it takes for 4.1, even in Gmsh's own files
            "vtk": [("vtu", "--binary"), ("vtu", "--ascii"), ("vtk", "--binary"), ("vtk", "--ascii"),
                    ("stl", "--binary"), ("stl", "--ascii"), ("obj", "--ascii"), ("ply", "--ascii"),
                    ("ply", "--binary")]}
@@ -98,7 +98,7 @@ def compare_written(peer, read, ours, arguments, failures):
             if code != 0:
                 print("not written: %s: %s" % (what, said))
                 continue
-            if format_ == "tetgen":  # what only we see
+            if format_ == "tetgen":  # without the comments that only we read
                 for file in ours.folder.glob("out*"):
                     file.write_bytes(b"".join(line for line in file.read_bytes().splitlines(True)
                                               if not line.startswith(b"#:")))
@@ -109,7 +109,7 @@ def compare_written(peer, read, ours, arguments, failures):
                 mesh, _ = ours.read(source, rounded)
             kinds = {kind for kind, _, _ in mesh.elements}
             mesh.keep(ONLY.get((peer, format_)))
-            # An element in several groups stands there once for each, which we know for one, and meshio for several.
+            # An element in several groups is listed once for each. We make it one element again, meshio does not.
             merge = format_ == "msh22"
             try:
                 theirs, said = apart(read, target, rounded, ours.folder)

@@ -5,7 +5,7 @@ import struct
 
 from differential_peers import MESHIO
 
-# Files of others that a peer reads otherwise, or not at all: name, and what it is. Nothing else may differ.
+# Samples of other programs that a peer reads differently, or not at all: the file and the reason. No other file may differ.
 NO_COMMENTS = "it takes no comments or blank lines there"
 UNESCAPED = "VTK leaves < in the names of arrays that it writes as it is, which no reader of XML takes"
 NO_TEXTS = "it takes no arrays of texts"
@@ -66,13 +66,13 @@ KNOWN = {
     },
 }
 
-# What a peer reads of a format, by the types of elements.
+# The types of elements that a peer reads of a format.
 SURFACE, SOLID, FIRST_ORDER = {2, 3, 9, 16, 34}, {4, 5, 6, 7, 11}, {1, 2, 3, 4, 5, 6, 7, 15}
 ONLY = {("meshio", "obj"): SURFACE, ("meshio", "tetgen"): SOLID, ("meshio", "medit"): FIRST_ORDER,
         ("meshio", "node"): SOLID, ("vtk", "obj"): SURFACE | {1, 15},
         ("vtk", "ply"): SURFACE}
 
-# Of what we write, in the peers' own words, with what must be so of the file that they say them of.
+# Differences in what we write: formats, words of the peer's message, the reason, and a condition that the file must meet.
 SECOND_ORDER = {8, 9, 10, 11, 12, 13, 14, 16, 17, 18, 19}
 FEW_TAGS = "it wants a group and an entity of each element, and nothing else"
 

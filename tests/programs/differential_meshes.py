@@ -12,15 +12,15 @@ CORNERS = {15: 1, 1: 2, 2: 3, 3: 4, 4: 4, 5: 8, 6: 6, 7: 5, 8: 2, 9: 3, 10: 4, 1
 
 
 def bits(x):
-    return struct.pack("<d", x + 0.0)  # -0 is 0: many formats say 0 for it
+    return struct.pack("<d", x + 0.0)  # -0 becomes 0, as in many formats
 
 
 def single(x):
-    return ctypes.c_float(x).value  # too large: infinity
+    return ctypes.c_float(x).value  # infinity if it is too large
 
 
 class Mesh:
-    """Elements as (corners in order, other nodes as a set) of coordinates, counted; and all points, counted."""
+    """Counts elements, as coordinates of (corners in order, set of other nodes), and points."""
 
     def __init__(self, points, elements, rounded=False):
         place = [tuple(bits(single(x) if rounded else x) for x in p) for p in points]
@@ -38,7 +38,7 @@ class Mesh:
             self.elements = collections.Counter({e: n for e, n in self.elements.items() if e[0] in kinds})
 
     def used(self):
-        """Without points that are in no element."""
+        """The points of elements."""
         return {p for _, corners, others in self.elements for p in (*corners, *others)}
 
 
@@ -59,7 +59,7 @@ def difference(ours, theirs, points="all"):
 
 
 def read_msh41(path, rounded=False):
-    """Of our .msh 4.1 text: nodes and elements."""
+    """The nodes and elements of .msh 4.1 text that we wrote."""
     lines = path.read_text(errors="surrogateescape").split("\n")
     at = lines.index("$Nodes") + 1
     blocks = int(lines[at].split()[0])
@@ -94,7 +94,7 @@ class Ours:
         return run.returncode, run.stderr.strip()
 
     def read(self, path, rounded=False):
-        """Our understanding of a file, or why there is none."""
+        """How we understand a file, or why we do not."""
         out = self.folder / "read.msh"
         code, said = self.convert(path, out, "--to", "msh41", "--ascii")
         return (read_msh41(out, rounded), "") if code == 0 else (None, said)

@@ -49,14 +49,14 @@ def vtk_read(path, rounded):
     for c in range(data.GetNumberOfCells()):
         cell = data.GetCell(c)
         nodes = [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
-        if data.GetCellType(c) == 13:  # its wedge winds the other way round than Gmsh's prism
+        if data.GetCellType(c) == 13:  # VTK's wedge has the opposite orientation of Gmsh's prism
             nodes = [nodes[k] for k in (0, 2, 1, 3, 5, 4)]
         elements.append((VTK[data.GetCellType(c)], nodes))
     return Mesh(points, elements, rounded)
 
 
 def apart(read, path, rounded, folder):
-    """What `read` makes of a file in a process of its own, since peers crash and exit: the mesh, all that it said."""
+    """Calls `read` in a process of its own, because peers crash and exit. Returns the mesh and everything it printed."""
     said, result = folder / "said", folder / "result"
     sys.stdout.flush()
     child = os.fork()
@@ -69,7 +69,7 @@ def apart(read, path, rounded, folder):
             with open(result, "wb") as file:
                 pickle.dump(read(path, rounded), file)
             code = 0
-        except Exception as error:  # whatever a peer throws
+        except Exception as error:  # of any kind, from a peer
             print("%s: %s" % (type(error).__name__, str(error).split("\n")[0]))
         finally:
             sys.stdout.flush()

@@ -12,7 +12,7 @@ def without_comments(path):
 
 
 def tetgen_rebuilds(folder, stem):
-    """What TetGen makes of a mesh: all files that it writes, without their comments."""
+    """Lets TetGen rebuild a mesh. Returns the files that it writes, without comments, and what is wrong."""
     run = subprocess.run(["tetgen", "-rCC", stem], cwd=folder, capture_output=True, text=True, errors="replace")
     said = run.stdout + run.stderr
     wrong = "" if run.returncode == 0 and "appears to be consistent" in said else "code %d: %s" % (run.returncode, said[-200:])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong with a mesh, found out without tetproof: signs in exact arithmetic, faces by counting."""
+"""Finds what is wrong with a mesh, without tetproof: signs in exact arithmetic, and counts of faces."""
 from collections import defaultdict
 from fractions import Fraction
 
@@ -24,13 +24,13 @@ def determinant(a, b, c, d):
 def positive(corners):
     size = max(abs(x) for p in corners for x in p)
     value = determinant(*corners)
-    if abs(value) > 1e-13 * size ** 3:   # more than rounding could have done
+    if abs(value) > 1e-13 * size ** 3:   # above the rounding error
         return value > 0
     return determinant(*([Fraction(x) for x in p] for p in corners)) > 0
 
 
 def faults(points, tets, triangles):
-    """What keeps the mesh from being a triangulation; `triangles`: the surface's as triples of coordinates, or None."""
+    """The reasons why the mesh is no triangulation. `triangles`: those of the surface as triples of coordinates, or None."""
     found = []
     wrong = sum(not positive([points[v] for v in tet]) for tet in tets)
     if wrong:
@@ -63,13 +63,13 @@ def euler(triangles):
 
 
 def expected_warnings(points, tets, triangles):
-    """Ids of the checks that warn: a point is not used; the boundary touches itself along an edge, or in a vertex; then, or
-    where it has another Euler characteristic than the surface, its topology may be another one."""
+    """Ids of the checks that may warn: a point is unused; the boundary touches itself in an edge or a vertex. If it does, or
+    if its Euler characteristic is not that of the surface, its topology may differ, too."""
     count = defaultdict(int)
     for tet in tets:
         for k in range(4):
             count[tuple(sorted(tet[:k] + tet[k + 1:]))] += 1
-    around, fans = defaultdict(list), defaultdict(list)   # faces of an edge; of a vertex the edges opposite to it
+    around, fans = defaultdict(list), defaultdict(list)   # the faces at an edge; the edges opposite to a vertex
     for face in (face for face, times in count.items() if times == 1):
         for k in range(3):
             edge = face[:k] + face[k + 1:]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""TetGen, Gmsh and CGAL as meshers of a closed surface: its files for them, and the mesh that each of them writes."""
+"""Meshes a closed surface with TetGen, Gmsh and CGAL: writes the files that they need, and runs them."""
 import os
 import subprocess
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elements of every type in VTK's and Medit's files: the nodes stand where VTK, meshio and Gmsh expect them."""
+"""Elements of every type in VTK and Medit files: each node is where VTK, meshio and Gmsh expect it."""
 import subprocess
 import warnings
 
@@ -18,7 +18,7 @@ corners = {
     "wedge": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)],
     "pyramid": [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1)],
 }
-# Gmsh's type, its shape, and between which corners its further nodes stand: Gmsh's manual, "Node ordering".
+# Gmsh's type, its shape, and the corners between which its other nodes are, from Gmsh's manual, "Node ordering".
 elements = [
     (1, "line", ""), (2, "triangle", ""), (3, "quad", ""), (4, "tetra", ""), (5, "hexahedron", ""), (6, "wedge", ""),
     (7, "pyramid", ""), (8, "line", "01"), (9, "triangle", "01 12 02"), (16, "quad", "01 12 23 03"),
@@ -28,7 +28,7 @@ elements = [
     (18, "wedge", "01 02 03 12 14 25 34 35 45"), (13, "wedge", "01 02 03 12 14 25 34 35 45 0134 0235 1245"),
     (19, "pyramid", "01 03 04 12 14 23 24 34"),
 ]
-# Gmsh 4.8 writes VTK's order of these, and reads them back in another one; quadratic pyramids it does not know.
+# Gmsh 4.8 writes these in VTK's order but reads them in another one. It does not know quadratic pyramids.
 gmsh_reads_otherwise = {6, 12, 13, 17, 18, 19}
 in_medit = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}
 
@@ -45,7 +45,7 @@ def write_msh(path, kind, points):
 
 
 def corner_pairs(cell):
-    """Mid-edge node and its corners, as VTK sees the cell."""
+    """Each mid-edge node and its two corners, as VTK sees the cell."""
     for e in range(cell.GetNumberOfEdges()):
         edge = cell.GetEdge(e)
         if edge.GetNumberOfPoints() == 3:
@@ -53,7 +53,7 @@ def corner_pairs(cell):
 
 
 def gmsh_reads_binary(folder):
-    """Whether Gmsh reads the binary .vtk that it writes itself. 4.8.4 does; 4.13.1 says "Error loading" of every one."""
+    """Whether Gmsh reads its own binary .vtk. 4.8.4 does; 4.13.1 says "Error loading" for every one."""
     write_msh(folder / "in.msh", 4, nodes_of("tetra", ""))
     subprocess.run([GMSH, "-0", "-bin", folder / "in.msh", "-o", folder / "own.vtk", "-format", "vtk"], capture_output=True, timeout=60)
     run = gmsh(folder, "own.vtk", "back.msh", "msh22")
@@ -77,19 +77,19 @@ def orders_of_nodes(folder):
             for middle, a, b in corner_pairs(cell):
                 check(f"type {kind} in {name}: VTK sees node {middle} between {a} and {b}",
                       np.allclose(grid.GetPoint(middle), (np.array(grid.GetPoint(a)) + grid.GetPoint(b)) / 2, atol=1e-15))
-            # The cell's own coordinates of each node are where its interpolation finds that node.
+            # At the parametric coordinates of each node, the cell's interpolation gives that node.
             for k in range(len(points)):
                 at, weights = [0.0] * 3, [0.0] * len(points)
                 parametric = cell.GetParametricCoords()
                 cell.EvaluateLocation(vtk.reference(0), parametric[3 * k:3 * k + 3], at, weights)
                 check(f"type {kind} in {name}: VTK finds node {k} where it is",
                       np.allclose(at, grid.GetPoint(cell.GetPointId(k)), atol=1e-12))
-            if kind not in (13, 18, 19):  # which meshio 5.0 has no use for
+            if kind not in (13, 18, 19):  # meshio 5.0 does not read these
                 with warnings.catch_warnings():
                     warnings.simplefilter("error")
                     mesh = meshio.read(folder / name)
                     expected = meshio.read(folder / "in.msh")
-                # meshio puts Gmsh's orders into VTK's, in which it keeps all cells.
+                # meshio converts Gmsh's orders into VTK's, which it uses for all cells.
                 check(f"type {kind} in {name}: meshio sees the same element",
                       len(mesh.cells) == 1 and mesh.cells[0].type == expected.cells[0].type and
                       np.array_equal(mesh.points[mesh.cells[0].data], expected.points[expected.cells[0].data]))
@@ -112,7 +112,7 @@ def orders_of_nodes(folder):
                     mesh = meshio.read(folder / name)
                 check(f"type {kind} in {name}: meshio sees the same element",
                       mesh.cells[0].type == shape and np.array_equal(mesh.points[mesh.cells[0].data[0]], points))
-        if kind in (4, 5, 8, 9, 11):  # Gmsh 4.8 reads no prisms and pyramids
+        if kind in (4, 5, 8, 9, 11):  # Gmsh 4.8 does not read prisms and pyramids
             gmsh_sees(folder, kind, "x.mesh", points, gmsh(folder, "x.mesh", "back.msh", "msh22"))
 
 
@@ -128,7 +128,7 @@ def gmsh(folder, name, out, form):
 
 
 def element_of(path):
-    """Type and coordinates, in order, of the only element of a .msh 2.2."""
+    """The type and the coordinates, in order, of the only element of a .msh 2.2."""
     lines = path.read_text().split("\n")
     start = lines.index("$Nodes")
     nodes = {}
@@ -150,7 +150,7 @@ def gmsh_sees(folder, kind, name, points, run):
 
 
 def faces_look_outwards(folder):
-    """VTK's faces of linear cells turn outwards: its order of a wedge's corners is not Gmsh's."""
+    """VTK's faces of linear cells point outwards. VTK orders the corners of a wedge differently from Gmsh."""
     for kind, shape, between in elements[3:7]:
         write_msh(folder / "in.msh", kind, nodes_of(shape, between))
         convert(folder / "in.msh", folder / "x.vtu")

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes closed surfaces with TetGen, Gmsh and CGAL, and has tetproof-verify judge what they made against the surface.
+"""Meshes closed surfaces with TetGen, Gmsh and CGAL; tetproof-verify judges the meshes against the surface.
 
-What the verdict should be, this script finds out by itself, in exact arithmetic: every tetrahedron positive, every face of one
-or two tetrahedra on opposite sides; and of the meshers that keep the surface's triangles, the faces of one tetrahedron are
-these triangles and no others, so that nothing can overlap and nothing is missing. Where that does not hold, tetproof-verify
-must call the mesh defective, and where it holds, sound without a finding. Exit code 0: every verdict is right; 1: one is wrong;
-77: the tool is not installed.
+The script finds the right verdict independently, in exact arithmetic. Every tetrahedron is positive. Every face belongs to one
+tetrahedron, or to two on opposite sides. If the mesher keeps the surface's triangles, the faces of one tetrahedron are exactly
+these triangles, so nothing overlaps and nothing is missing. If all this holds, tetproof-verify must call the mesh sound, without
+a finding; otherwise it must call it defective. Exit code 0: every verdict is right; 1: a verdict is wrong; 77: the tool is not
+installed.
 
 usage: other_meshers.py [OPTION...]     for example: other_meshers.py --set all --keep out/others"""
 import argparse
@@ -24,13 +24,13 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 FOLDERS = [os.path.join(ROOT, "corpus", "surfaces"), os.path.join(ROOT, "..", "shared", "surfaces")]
 SMALL = ["unit_sphere.STL", "plate_holes.STL", "Cray_left.obj", "spot.obj"]
 ALL = SMALL + ["torus.STL", "hull-body.obj", "NACA0012.obj", "BONESkull.stl", "1002_tray_bottom.STL", "ct_skull.off"]
-NESTED = {"Cray_left.obj"}   # its second component bounds a cavity around the middle of the box; others lie apart
+NESTED = {"Cray_left.obj"}   # the second component bounds a cavity around the centre of the box
 
-TOO_LARGE = {("tetgen-pq", "Cray_left.obj"), ("cgal", "Cray_left.obj")}   # for the small set: the shell is thin
+TOO_LARGE = {("tetgen-pq", "Cray_left.obj"), ("cgal", "Cray_left.obj")}   # for the small set, because the shell is thin
 
-# A mesher that keeps the triangles is judged exactly. TetGen, where it may split them, takes neighbours at more than 179.9 degrees
-# for one plane and is off by 9.5e-6 of the diagonal on spot.obj. CGAL keeps its facet distance, 4e-4, at the facets' centres,
-# and along sharp edges nowhere.
+# A mesher that keeps the triangles is judged exactly. If TetGen may split triangles, it treats neighbours at more than 179.9
+# degrees as one plane; on spot.obj it is off by 9.5e-6 of the diagonal. CGAL keeps its facet distance, 4e-4, at the centres of
+# facets, but not along sharp edges.
 FIDELITY = {"tetgen-pY": "0", "gmsh-delaunay": "0", "gmsh-hxt": "0", "gmsh-hxt-2": "0", "tetgen-pq": "1e-4", "cgal": "1e-2"}
 KEEPS_TRIANGLES = {tool for tool, fidelity in FIDELITY.items() if fidelity == "0"}
 PROGRAM = {tool: tool.split("-")[0] for tool in FIDELITY}

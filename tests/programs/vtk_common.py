@@ -18,7 +18,7 @@ def check(what, ok):
 
 
 class Complaints:
-    """What VTK says by other means than the return value."""
+    """Collects errors and warnings, which VTK reports as events."""
 
     def __init__(self, *objects):
         self.said = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A grid with all kinds of cells and arrays: VTK writes it in every mode, we must read it as VTK does, and back."""
+"""A grid with all kinds of cells and arrays: we must read every mode in which VTK writes it, and VTK must read ours."""
 import itertools
 
 import numpy as np
@@ -31,7 +31,7 @@ def cells(grid):
 
 
 def grid_of_everything():
-    """Real numbers are of few digits, since VTK writes no more in legacy text."""
+    """Real numbers have few digits, because VTK writes no more in legacy text."""
     grid, points = vtk.vtkUnstructuredGrid(), vtk.vtkPoints()
     points.SetDataTypeToDouble()
     for p in [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0.375), (1, 0, 1), (0.125, 0.75, 2), (3, 2, 1)]:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK's and Medit's files beside the programs that own them.
+"""Compares tetproof-convert with other programs that read and write VTK and Medit files.
 
-Files that VTK writes in every mode must come through tetproof-convert as VTK reads them itself; what
-tetproof-convert writes, VTK, meshio and Gmsh must read without a warning and with equal content; and each of
-them must see the mid-edge nodes of second-order elements at the middle of the edges."""
+tetproof-convert must read every mode in which VTK writes as VTK itself does. VTK, meshio and Gmsh must read what
+tetproof-convert writes, without a warning and with equal content. Each of them must see the mid-edge nodes of
+second-order elements at the midpoints of the edges."""
 import argparse
 import pathlib
 import sys
