@@ -23,9 +23,10 @@ namespace tetproof::io {
 /// numbers, and everything behind End. Comments (from # to the end of a line) are no data.
 Document read_medit(const InputFile& file);
 
-/// Dimension 3, doubles. Text, or binary of version 2; of 3 beyond 2 GiB, of 4 for numbers beyond 32 bits.
-/// Elements are listed by kind; those of an order that Medit does not have by their corners. Elements that
-/// name unknown nodes are left out where their numbers would stand for others.
+/// Plans a file of dimension 3 with doubles: text, or binary of version 2 (version 3 beyond 2 GiB, version 4
+/// for numbers beyond 32 bits). Elements are listed by kind. Elements of an order that Medit does not have
+/// are listed by their corners. Elements that name unknown nodes are left out if these numbers would be those
+/// of other nodes.
 std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary);
 
 }  // namespace tetproof::io

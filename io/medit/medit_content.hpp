@@ -37,12 +37,12 @@ class MeditContent {
   void add_vertex(const Eigen::Vector3d& point, double reference);
   void add_vertex(const Eigen::Vector3d& point, std::int64_t reference);
   void add_elements(Elements list) { elements_.push_back(std::move(list)); }
-  /// Adds any other keyword (null: of no known form) and what follows it, as text with points of `dimension`
+  /// Adds any other keyword (null: unknown form) and what follows it, as text. Points have `dimension`
   /// coordinates.
   void add_section(const MeditKeyword* keyword, std::string_view name, std::string body, int dimension);
   /// Adds a warning: the path, and `text` behind it.
   void warn(std::string_view text);
-  /// Lists something that the reader does not take.
+  /// Lists something that the reader drops.
   void drop(const std::string& item, std::size_t count, const std::string& example, bool elements = false);
 
   Document finish();

@@ -14,9 +14,9 @@ namespace tetproof::io {
 struct MeditKeyword {
   int code;  ///< its number in binary files
   std::string_view name;
-  int element;              ///< Gmsh's type of the elements that it lists; 0: it lists something else
+  int element;              ///< Gmsh's type of the elements that it lists; 0: it does not list elements
   std::string_view format;  ///< of a line: i integer, r real, c coordinates
-  bool counted = true;      ///< the number of lines stands in front of them
+  bool counted = true;      ///< the lines follow their number
 };
 
 inline constexpr int medit_dimension = 3, medit_vertices = 4, medit_end = 54;

@@ -83,7 +83,7 @@ class Planner {
     plan_.entities.push_back(std::move(entity));
   }
 
-  // Nodes of no entity join the entity of the first block of the highest dimension.
+  // Nodes without an entity join the entity of the first block of the highest dimension.
   void cover_nodes() {
     int dim = 3;
     std::int64_t tag = 0;

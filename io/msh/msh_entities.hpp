@@ -12,11 +12,12 @@
 namespace tetproof::io {
 
 struct EntityPlan {
-  /// As they are written: by dimension, the new ones after the document's, all entities of partitions last.
+  /// The entities in the order in which they are written: by dimension, new ones after the document's, all
+  /// entities of partitions last.
   std::vector<Entity> entities;
   /// Dimension and tag of those that the document does not list. Their boxes are not computed yet.
   std::vector<std::pair<int, std::int64_t>> new_entities;
-  std::int64_t partitions = 0;           ///< how many
+  std::int64_t partitions = 0;           ///< the number of partitions
   std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
   std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
 };

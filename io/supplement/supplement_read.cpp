@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a supplement, and puts what it says back into the document that the native part gave.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
-#include "io/bytes/large_pages.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/document_positions.hpp"
 #include "io/supplement/supplement.hpp"
+#include "io/supplement/supplement_blocks.hpp"
 #include "io/supplement/supplement_decoder.hpp"
 
 namespace tetproof::io {
 namespace {
-
-// A block of the original document, and what the native part has of it.
-struct Block {
-  ElementBlock block;
-  int kind = 0;
-  bool written = false, native = false;
-  std::vector<Index> listed;  // connectivity, if it is not native
-};
 
 class Joiner {
  public:
@@ -90,7 +81,8 @@ class Joiner {
     }
   }
 
-  // The document's unknown numbers, under which the native part has them, and where they come to stand now.
+  // The supplement lists the document's unknown numbers, and the numbers that the native part has in their
+  // place.
   void unknown() {
     std::vector<std::int64_t> numbers, written;
     in_(numbers, written);
@@ -105,7 +97,7 @@ class Joiner {
     }
   }
 
-  // A position as the document had it, as it is now.
+  // Turns a position in the document into the position that it has now.
   void rename(Index& i) const {
     if (i >= 0) return;
     const auto k = static_cast<std::size_t>(-1 - static_cast<std::int64_t>(i));
@@ -114,8 +106,8 @@ class Joiner {
   }
 
   void blocks() {
-    std::vector<Block> all(in_.count());
-    for (Block& b : all) {
+    std::vector<SupplementBlock> all(in_.count());
+    for (SupplementBlock& b : all) {
       in_(b.block, b.kind, b.written, b.native);
       if (b.block.nodes_each < 1) in_.fail("an element has at least one node");
       if (b.native) continue;
@@ -126,95 +118,10 @@ class Joiner {
           rename(b.listed.back());
         }
     }
-    find_native(all);
-    put_together(all);
+    join_blocks(all, native_, in_);
   }
 
-  // The native part has the blocks by kind: where does each one's connectivity stand?
-  void find_native(const std::vector<Block>& all) {
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return all[a].kind < all[b].kind; });
-    source_.assign(all.size(), 0);
-    std::size_t at = 0;    // in the native block `from`, how many of its elements are used up
-    std::size_t from = 0;  // native block
-    const auto& blocks = native_.blocks;
-    for (const std::size_t b : order) {
-      if (!all[b].written) continue;
-      std::size_t left = all[b].block.count;
-      bool first = true;
-      while (left > 0) {
-        if (from == blocks.size()) in_.fail("the file has fewer elements than its supplement speaks of");
-        const ElementBlock& native = blocks[from];
-        if (all[b].native && native.nodes_each != all[b].block.nodes_each)
-          in_.fail("the file has other elements than its supplement speaks of");
-        if (first) source_[b] = native.nodes + at * static_cast<std::size_t>(native.nodes_each);
-        first = false;
-        const std::size_t used = std::min(left, native.count - at);
-        left -= used, at += used;
-        if (at == native.count) ++from, at = 0;
-      }
-    }
-    if (from != blocks.size()) in_.fail("the file has more elements than its supplement speaks of");
-  }
-
-  void put_together(std::vector<Block>& all) {
-    std::vector<ElementBlock> blocks;
-    std::size_t elements = 0, nodes = 0;
-    bool as_it_is = true;
-    for (std::size_t b = 0; b < all.size(); ++b) {
-      ElementBlock block = all[b].block;
-      block.first = elements, block.nodes = nodes;
-      as_it_is = as_it_is && all[b].native && source_[b] == nodes;
-      elements += block.count, nodes += block.count * static_cast<std::size_t>(block.nodes_each);
-      blocks.push_back(block);
-    }
-    if (!as_it_is && !reorder(all)) {
-      std::vector<Index> connectivity;
-      reserve_in_large_pages(connectivity, nodes);
-      for (std::size_t b = 0; b < all.size(); ++b) {
-        const std::size_t size = blocks[b].count * static_cast<std::size_t>(blocks[b].nodes_each);
-        const Index* from = all[b].native ? native_.connectivity.data() + source_[b] : all[b].listed.data();
-        connectivity.insert(connectivity.end(), from, from + size);
-      }
-      native_.connectivity = std::move(connectivity);
-    }
-    native_.blocks = std::move(blocks);
-  }
-
-  // Brings the native connectivity into the order of the blocks without a second one, which would be most of
-  // the memory that a large file takes. False, and nothing was done, where it has not all that is wanted, or
-  // only piecemeal.
-  bool reorder(const std::vector<Block>& all) {
-    constexpr std::size_t most_runs = 16;
-    struct Run {
-      std::size_t from, size;
-    };
-    std::vector<Run> runs;
-    std::size_t total = 0;
-    for (std::size_t b = 0; b < all.size(); ++b) {
-      const std::size_t size = all[b].block.count * static_cast<std::size_t>(all[b].block.nodes_each);
-      if (!all[b].native) return false;
-      if (size == 0) continue;
-      if (!runs.empty() && runs.back().from + runs.back().size == source_[b])
-        runs.back().size += size;
-      else
-        runs.push_back({source_[b], size});
-      total += size;
-    }
-    if (total != native_.connectivity.size() || runs.size() > most_runs) return false;
-    const auto begin = native_.connectivity.begin();
-    const auto place = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
-    for (std::size_t r = 0, at = 0; r < runs.size(); at += runs[r++].size) {
-      std::rotate(place(at), place(runs[r].from), place(runs[r].from + runs[r].size));
-      for (std::size_t later = r + 1; later < runs.size(); ++later)
-        if (runs[later].from < runs[r].from) runs[later].from += runs[r].size;
-    }
-    return true;
-  }
-
-  // Those whose numbers the native part has stand there in the same order, maybe among others.
+  // Where the native part has the numbers, its values are in the same order. It may have others among them.
   void all_values(std::vector<Values>& all) {
     std::vector<Values> joined(in_.count());
     auto next = all.begin();
@@ -250,7 +157,7 @@ class Joiner {
         in_(section.body);
         continue;
       }
-      // The writer has put them before or after the nodes.
+      // The writer keeps a section on its side of the nodes, so the name and the side identify it.
       const auto found = std::find_if(
           native_.sections.begin(), native_.sections.end(),
           [&](const Section& s) { return s.name == section.name && s.before_nodes == section.before_nodes; });
@@ -263,8 +170,7 @@ class Joiner {
 
   Decoder& in_;
   Document& native_;
-  std::vector<Index> renamed_;       // of unknown numbers
-  std::vector<std::size_t> source_;  // where in the native connectivity each block starts
+  std::vector<Index> renamed_;  // for each unknown number of the document, its position now
 };
 
 }  // namespace

@@ -117,11 +117,13 @@ class Writer {
       // The header and the values are one stream of bytes in base64, as VTK writes them; padding inside it
       // stops Python's decoder, and so meshio. The first values go with the header so that what follows
       // starts a group of three bytes; groups of three values then make whole groups of bytes.
-      const std::size_t first = std::min<std::size_t>(count, sizeof(T) % 3);
+      constexpr std::size_t most = sizeof(T) % 3;
+      const std::size_t first = std::min(count, most);
       const std::uint64_t bytes = count * sizeof(T);
-      std::array<unsigned char, sizeof bytes + 2 * sizeof(T)> head;
+      std::array<unsigned char, sizeof bytes + most * sizeof(T)> head;
       std::memcpy(head.data(), &bytes, sizeof bytes);
-      for (std::size_t k = 0; k < first; ++k) {
+      for (std::size_t k = 0; k < most; ++k) {
+        if (k == first) break;
         const T number = static_cast<T>(value(k));
         std::memcpy(head.data() + sizeof bytes + k * sizeof(T), &number, sizeof(T));
       }

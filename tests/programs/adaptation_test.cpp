@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-mesh adapting, as a user runs it: natural ends, the trace and following it, the shipped traces.
+// tetproof-mesh with adaptation, as a user runs it: natural ends, writing and following traces, the shipped
+// traces.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,8 +31,8 @@ Words operator+(Words a, const Words& b) {
   return a;
 }
 
-// Every setting of the law, each way of improving, with and without curvature: a natural end and a
-// certificate.
+// Every setting of the volume law and each way of improving, with and without curvature, comes to a natural
+// end and has a certificate.
 struct Setting {
   const char* name;
   Words options;
@@ -105,7 +106,7 @@ TEST(Adaptation, ATinyV0EndsByDilutionAndGoesOnIfAsked) {
   const json first = json::parse(ends.out);
   EXPECT_EQ(first["adaptation"]["stopped"], "dilution");
   const Outcome goes_on = mesh(tiny + Words{"--past-dilution", "--points", "60000"});
-  // So many boundary faces are then near each other that the checks of pairs end early, and say so.
+  // So many boundary faces are near each other now that the checks of pairs stop early and say so.
   ASSERT_EQ(goes_on.exit_code, 4) << goes_on;
   const json past = json::parse(goes_on.out);
   ASSERT_EQ(past["not_judged"].size(), 1u);
@@ -115,7 +116,7 @@ TEST(Adaptation, ATinyV0EndsByDilutionAndGoesOnIfAsked) {
   EXPECT_EQ(past["certificate"], true) << "nothing degenerates";
 }
 
-// Each line of the list: a name, and the arguments that make its trace.
+// A line of the list of traces: a name, and the arguments that make the trace.
 struct Shipped {
   std::string name;
   Words arguments;
@@ -163,7 +164,8 @@ TEST_P(ShippedTraces, AreAdmissible) {
   EXPECT_EQ(report["follow"]["ties"], 0);
   EXPECT_GT(report["adaptation"]["insertions"], 20);
 }
-// What makes them more than a record of what we do: an implementation that shares no code comes to the same.
+// The shipped traces are more than a record of our own results: an implementation that shares no code gives
+// the same.
 TEST_P(ShippedTraces, AreWhatTheSecondImplementationWrites) {
   Words arguments = GetParam().arguments;
   const auto parametric = std::find(arguments.begin(), arguments.end(), "--parametric");
@@ -189,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, ShippedTraces, testing::ValuesIn(shipped_traces
 TEST(Follow, SaysWhereATraceDepartsAndExits1) {
   const ScratchFolder folder;
   std::string text = read(traces + "torus.jsonl");
-  // The 30th insertion by another row.
+  // The 30th insertion is changed to another row.
   const std::size_t at = text.find("\"row\"", text.find("\"n\":30,"));
   text.replace(at, text.find(',', at) - at, "\"row\":\"4b\"");
   const std::string other = folder.write("other.jsonl", text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/checks/checks.md has a section for each check, in their order, and its examples are what
+// verify/checks/checks.md has a section for each check, in the order of the checks, and its examples are what
 // tetproof-verify prints.
 #include <gmock/gmock.h>
 

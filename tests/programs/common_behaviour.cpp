@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every program does the same way: help, versions, one-line errors, exit codes, JSON, threads, whole
-// files. Which files may be inputs and outputs: common_files_test.cpp.
+// What all programs do in the same way: help, versions, one-line errors, exit codes, JSON, threads, whole
+// files. For inputs and outputs see common_files_test.cpp.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -154,7 +154,7 @@ TEST_P(WritingPrograms, AnOlderOutputSurvivesAFailure) {
   EXPECT_EQ(outputs.names(), std::vector<std::string>{"out.msh"});
 }
 
-// The libraries that a program loads: those of its job, and never libgmsh with its hundred others.
+// A program loads only the libraries that its job needs, and never libgmsh, which brings a hundred others.
 TEST(LinkedLibraries, OnlyWhatTheJobNeeds) {
   struct Case {
     const char* program;

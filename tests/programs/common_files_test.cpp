@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which files may be inputs and outputs of every program: no output takes the place of an input or of another
-// output, standard input and standard output stand for one file, a target that cannot hold the grid is
-// refused before the work.
+// Which files may be inputs and outputs of a program. An output never replaces an input or another output.
+// Standard input and standard output stand for one file each. A target that cannot hold the grid is refused
+// before the work.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ class CommonFiles : public CommonBehaviour {
     for (const std::string& name : inputs.names()) before.push_back(inputs.read(name));
   }
 
-  // Refused, and no file has changed or appeared.
+  // Expects a refusal, and that no file has changed or appeared.
   void expect_same_file_refused(const std::vector<std::string>& command, const std::string& argument) {
     const std::vector<std::string> there = outputs.names();
     const Outcome outcome = run_program(command);
@@ -43,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, CommonFiles, ::testing::ValuesIn(jobs), numbe
 TEST_P(CommonFiles, AnInputIsNoOutput) {
   for (const std::size_t position : inputs_in_command()) {
     const fs::path input = command("")[position];
-    // The file itself, its other names, and another file of its set. Names end in .node, which all options
-    // take.
+    // The file itself, its other names, and another file of its set. All names end in .node, which every
+    // option accepts.
     std::vector<std::string> names{input.string(), inputs / ("./" + input.filename().string()),
                                    outputs / "symbolic.node", outputs / "hard.node"};
     fs::create_symlink(input, outputs / "symbolic.node");
@@ -129,7 +129,7 @@ TEST_P(CommonFiles, StandardInputIsAnyOneFile) {
     const Outcome piped = run_program(words, {.input = surface ? octahedron_off : octahedron_msh});
     EXPECT_EQ(piped.exit_code, 0) << piped;
     EXPECT_EQ(GetParam().writes ? outputs.read("out.msh") : "", written);
-    // Nothing but the name of the file differs.
+    // Only the name of the file differs.
     const auto json_without_names = [](const std::string& text) {
       nlohmann::json json = nlohmann::json::parse(text);
       for (const char* key : {"input", "other", "reference"})
@@ -151,7 +151,7 @@ TEST_P(CommonFiles, StandardInputIsOneFileOnly) {
   EXPECT_THAT(outcome.err, HasSubstr(": only one of them can be standard input"));
 }
 
-// The shell opens the file; its name is not on the command line.
+// The shell opens the file, so its name is not on the command line.
 TEST_P(CommonFiles, AnInputBehindStandardInputIsNoOutput) {
   inputs.write("octahedron.msh", octahedron_msh);
   for (const std::size_t position : inputs_in_command()) {
@@ -168,7 +168,7 @@ TEST_P(CommonFiles, AnInputBehindStandardInputIsNoOutput) {
   }
 }
 
-// Files whose ending says nothing, or something that is wrong.
+// Files with an unknown ending, or with the ending of another format.
 TEST_P(CommonFiles, FromSaysTheFormat) {
   if (GetParam().name == "tetproof-compare") return;
   inputs.write("octahedron.obj",
@@ -191,7 +191,7 @@ TEST_P(CommonFiles, FromSaysTheFormat) {
       told.insert(told.end(), {option, format});
       const Outcome outcome = run_program(told, {.input = content});
       EXPECT_EQ(outcome.exit_code, 0) << name << outcome;
-      told.back() = "stl";  // overrules the content, too
+      told.back() = "stl";  // the option also overrules the content
       expect_refused(run_program(told, {.input = content}));
     }
     words.insert(words.end(), {option, "no-such-format"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small job for every program, for tests of what all programs do the same way.
+// A small job for every program, for tests of what all programs do in the same way.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace tetproof::test {
 struct Job {
   std::string name;
   std::vector<std::string> arguments;
-  bool writes = false;                         // has an OUT
+  bool writes = false;                         // the arguments contain OUT
   std::vector<std::string> outputs{"--json"};  // options that name an output
 
   std::string test_name() const {
@@ -60,7 +60,7 @@ class CommonBehaviour : public ::testing::TestWithParam<Job> {
     inputs.write("octahedron.off", octahedron_off);
   }
 
-  // The job's command with `out` as the file that it writes, and `more` behind it.
+  // The command of the job: it writes the file `out`, and `more` is added at its end.
   std::vector<std::string> command(const std::string& out, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words{program(GetParam().name)};
     for (const std::string& word : GetParam().arguments)
@@ -83,7 +83,7 @@ class CommonBehaviour : public ::testing::TestWithParam<Job> {
     return all;
   }
 
-  // The one line of an error: the program's name, then what is wrong; nothing on standard output.
+  // Expects one line of error, with the program's name and what is wrong, and nothing on standard output.
   void expect_refused(const Outcome& outcome) const {
     EXPECT_EQ(outcome.exit_code, 2) << outcome;
     EXPECT_EQ(outcome.out, "");

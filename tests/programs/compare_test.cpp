@@ -93,7 +93,7 @@ TEST_F(Compare, ADivergenceIsNamedWithItsPlace) {
   EXPECT_EQ(result.at("reference").at("file"), *files / "reference.jsonl");
 }
 
-// Two insertions that tie: the reference's own, with the E_avg of both made equal and their order exchanged.
+// Two insertions are made a tie: both get the same E_avg, and their order is exchanged.
 TEST_F(Compare, ATieIsNoDivergence) {
   std::vector<std::string> reference = trace();
   const std::size_t first = find(reference, "insertion", 3), second = find(reference, "insertion", 4);
@@ -105,7 +105,7 @@ TEST_F(Compare, ATieIsNoDivergence) {
   Outcome outcome = run(write("other.jsonl", other), *files / "reference.jsonl");
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(outcome.out, HasSubstr(", 2 of them in another order within ties"));
-  other.resize(second), reference.resize(second);  // the tie stays open
+  other.resize(second), reference.resize(second);  // the traces end within the tie
   outcome = run(write("other.jsonl", other), write("short.jsonl", reference));
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(outcome.out, StartsWith("a tie, step (vi), eq. (3.5):\ninsertion 3: reference splits"));
@@ -123,7 +123,7 @@ TEST_F(Compare, GridsAreComparedAcrossFormats) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome;
   EXPECT_THAT(outcome.out, StartsWith("equal up to numbering: "));
 
-  // Node 1 of the copy lies elsewhere.
+  // Moves node 1 of the copy.
   std::string nodes = files->read("copy.1.node");
   const std::size_t line = nodes.find("\n1 ") + 1;
   nodes.replace(line, nodes.find('\n', line) - line, "1 7 8 9");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a reader drops comes up in tetproof-convert: in its lines, in its JSON, in --info and under --strict.
+// What a reader drops is shown by tetproof-convert: in its lines, in its JSON, by --info, and by --strict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Files of which the first is converted strictly, and the item that it must be refused for; empty: it must
-/// be converted, and the way back must give it again.
+/// Files; the first one is converted with --strict. It must be refused because of `item`. If `item` is empty,
+/// it must be converted, and converting back must give it again.
 struct Sample {
   std::string name;
   std::vector<std::pair<std::string, std::string>> files;
@@ -59,7 +59,7 @@ std::string array(const char* name, const char* value) {
          "</DataArray>";
 }
 
-// The bytes of a .meshb of version 2: a vertex, and two numbers under the keyword `code`.
+// A .meshb of version 2: a vertex, and two numbers under the keyword `code`.
 std::string meshb(int code) {
   std::string bytes;
   const auto number = [&](std::int32_t value) {
@@ -152,14 +152,14 @@ TEST_P(ConvertDropped, StrictlyNothing) {
   if (sample.item.empty()) {
     EXPECT_EQ(strict.exit_code, 0) << strict;
     EXPECT_EQ(dropped, Json::array());
-    // The way back says as much of the mesh as the original, in the original's format.
+    // Converted back to its own format, the file says as much of the mesh as the original.
     const std::string ending = in.substr(1), back = "back" + ending;
     EXPECT_EQ(convert({sample.out, back, "--strict"}).exit_code, 0);
     const Outcome first = convert({"--info", in, "--json", "-"}),
                   again = convert({"--info", back, "--json", "-"});
     Json of_first = Json::parse(first.out)["input"], of_again = Json::parse(again.out)["input"];
     for (Json* json : {&of_first, &of_again})
-      for (const char* key : {"file", "warnings"}) json->erase(key);  // both name the file
+      for (const char* key : {"file", "warnings"}) json->erase(key);  // these contain the file's name
     EXPECT_EQ(of_first, of_again);
     return;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-convert as a script sees it: exit codes, losses, --strict, --info.
+// tetproof-convert as a script uses it: exit codes, losses, --strict, --info.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -121,7 +121,7 @@ TEST(Convert, HelpNamesEveryEndingThatIsRead) {
     EXPECT_NE(run.out.find(ending), std::string::npos) << ending << run;
 }
 
-// Nodes without a value get nan, which VTK's own reader of text does not take.
+// Nodes without a value are written as nan, which VTK's own reader of text does not accept.
 TEST(Convert, WarnsOfTextThatVtkMisreads) {
   const ScratchFolder folder;
   const std::string in = folder.write(

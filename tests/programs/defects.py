@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads what tetproof-verify --defects wrote with VTK, and compares it with the mesh and the JSON report, for
-verify_defects_test.cpp. Prints what is missing or too much; exit code 1 if there is any.
+"""Reads the output of tetproof-verify --defects with VTK, and compares it with the mesh and the JSON report. Used by
+verify_defects_test.cpp. Prints what is missing or superfluous; exit code 1 if there is any.
 
 usage: defects.py {MESH.ele REPORT.json DEFECTS.vtu}..."""
 import json

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The differential tests on more than the samples: on meshes that Gmsh makes, of all versions, orders and kinds of
-# elements, with partitions, periodic sides and parametric nodes. A few minutes.
+# Runs the differential tests on more than the samples: on meshes made by Gmsh, of all versions, orders and kinds of
+# elements, with partitions, periodic sides and parametric nodes. It takes a few minutes.
 # usage: tests/programs/differential.sh [BUILD]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gmsh and we understand the same of .msh files: of those that others wrote, and of those that we write.
+// Gmsh and tetproof understand .msh files in the same way: files that others wrote, and files that we write.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What Gmsh made of a file.
+/// What Gmsh understood of a file.
 struct Heard {
   int code = 0;  // 0: read; 3: refused; below 0: crashed
   std::vector<std::string> complaints;
@@ -39,7 +39,7 @@ std::map<std::string, Heard> listen_to_gmsh(const std::vector<std::string>& file
       heard->code = std::stoi(line.substr(4));
     else if (!line.starts_with("says "))
       heard->lines.insert(line);
-    // It cannot look for closest nodes, which it was not asked for.
+    // It complains that it cannot look for closest nodes, which nobody asked for.
     else if (line.find("compiled with ANN support") == line.npos)
       heard->complaints.push_back(line.substr(5));
   }
@@ -65,7 +65,7 @@ std::string name_of(const std::string& path) {
   return fs::path(path).filename().string();
 }
 
-// "element 7 4 in 3 2: 1 2 3 4" in its parts.
+// The parts of a line such as "element 7 4 in 3 2: 1 2 3 4".
 struct ElementLine {
   std::int64_t tag = 0;
   std::string what, place;  // "4 in 3 2: 1 2 3 4", "3 2"
@@ -79,10 +79,10 @@ ElementLine element_line(const std::string& line) {
   return element;
 }
 
-/// Takes away what the file itself does not say but Gmsh works out, and what Gmsh has no way to tell.
+/// Removes what the file does not say but Gmsh computes, and what Gmsh has no way to report.
 Listing comparable(const Listing& lines, bool has_entities) {
   Listing kept;
-  std::map<std::string, std::int64_t> copies;  // of an element: the first tag
+  std::map<std::string, std::int64_t> copies;  // the smallest tag of equal elements
   std::set<std::string> with_elements;
   for (const std::string& line : lines)
     if (line.starts_with("element ")) {
@@ -93,7 +93,7 @@ Listing comparable(const Listing& lines, bool has_entities) {
     }
   for (const std::string& line : lines) {
     if (has_entities) {
-      // Gmsh gives the end points of curves without their sign, and of a curve not more than two.
+      // Gmsh reports the end points of curves without their sign, and at most two for each curve.
       if (!line.starts_with("boundary 1 ")) {
         kept.insert(line);
         continue;
@@ -104,14 +104,14 @@ Listing comparable(const Listing& lines, bool has_entities) {
       if (tags.size() <= 2) kept.insert(fmt::format("{}: {}", line.substr(0, line.find(':')), joined(tags)));
       continue;
     }
-    // Of a point, line, triangle or tetrahedron that is a part of another element, Gmsh reads in version 2
-    // only what names that element.
+    // Types 13x are points, lines, triangles and tetrahedra that are parts of another element. Of version 2,
+    // Gmsh reads only which element they belong to.
     if (const std::size_t type = line.find(" 13"); line.starts_with("element ") && type < line.find(" in "))
       continue;
-    // Before version 4 nodes belong to no entity, unless they have parametric coordinates; entities are what
-    // elements name, without boundaries; and an element stands once for each of its groups.
+    // Before version 4, nodes belong to no entity unless they have parametric coordinates. Entities are those
+    // that elements name; they have no boundaries. An element is listed once for each of its groups.
     if (line.starts_with("boundary ") || line.starts_with("partitions ")) continue;
-    // Of version 2 it gives no periodic links.
+    // Gmsh reports no periodic links of version 2.
     if (line.starts_with("periodic ")) continue;
     if (line.starts_with("groups ") && !with_elements.contains(line.substr(7, line.find(':') - 7))) continue;
     if (line.starts_with("node ") && line.find(" in ") != line.npos) continue;
@@ -125,8 +125,8 @@ Listing comparable(const Listing& lines, bool has_entities) {
   return kept;
 }
 
-// Gmsh cuts names at an inner quote and after 127 bytes (of .msh 4: 128), and tells only of groups that have
-// an entity.
+// Gmsh cuts names at an inner quote and after 127 bytes (128 in .msh 4), and reports only groups that have an
+// entity.
 void adjust_names(const Document& document, const Heard& gmsh, Listing& ours) {
   std::set<std::int64_t> used;
   for (const auto& set : document.tag_sets)
@@ -146,7 +146,7 @@ void adjust_names(const Document& document, const Heard& gmsh, Listing& ours) {
   }
 }
 
-// Sections that we keep as they stand, without a look inside.
+// Removes what is in sections that we keep as they are, without reading them.
 void drop_verbatim(const Document& document, Listing& gmsh) {
   for (const Section& section : document.sections) {
     if (section.name == "GhostElements")
@@ -180,7 +180,7 @@ bool has_entities(const Document& document) {
   return document.format == "msh40" || document.format == "msh41";
 }
 
-/// Our reading of a file against Gmsh's.
+/// The difference between our reading of a file and Gmsh's.
 std::string difference(const Document& document, const Heard& heard, bool entities) {
   Listing ours = listing_of(document), gmsh = heard.lines;
   adjust_names(document, heard, ours);
@@ -188,15 +188,15 @@ std::string difference(const Document& document, const Heard& heard, bool entiti
   return difference(comparable(ours, entities), comparable(gmsh, entities));
 }
 
-// What is known of Gmsh 4.8.4, narrowly: a file that it cannot read.
+// Files that Gmsh 4.8.4 cannot read, with its exit code.
 const std::map<std::string, int> not_read{
-    {"sparse.msh", -11},       // the tag 4000000000: it sizes an array by a number that it took into 32 bits
+    {"sparse.msh", -11},       // tag 4000000000: the size of an array overflows 32 bits
     {"two_40_binary.msh", 3},  // "Can only read MSH 4.0 format in ASCII mode"
 };
 
-// Files of which it makes something else.
+// Files that it reads differently.
 const std::set<std::string> misread{
-    "partitions.msh",  // its node 0 becomes another node 1
+    "partitions.msh",  // node 0 becomes a second node 1
 };
 
 TEST(DifferentialGmsh, SamplesOfOthers) {
@@ -222,7 +222,7 @@ TEST(DifferentialGmsh, SamplesOfOthers) {
   }
 }
 
-// With all features that Gmsh has; all of version 4 when TETPROOF_ALL_SAMPLES is set.
+// Samples with all features of Gmsh. If TETPROOF_ALL_SAMPLES is set, all samples of version 4 are used.
 const std::set<std::string> rich{"two_41_text.msh", "two_40_text.msh",    "two41part.msh", "two41o2b.msh",
                                  "per_msh41.msh",   "two22.msh",          "two41par.msh",  "view5.msh",
                                  "hybrid_part.msh", "adaptive_tet20.msh", "s.msh"};
@@ -243,11 +243,12 @@ TEST(DifferentialGmsh, WhatWeWrite) {
     std::string origin;
     bool entities;
   };
-  std::map<std::string, Written> written;  // by the file
+  std::map<std::string, Written> written;  // key: the file
   for (const std::string& file : samples()) {
     if (not_read.contains(name_of(file)) || misread.contains(name_of(file))) continue;
     const Document document = read_document(file);
-    // Elements of no entity get one when they are written: of old files only those that give all of them one.
+    // Elements without an entity get one when they are written, so old files are used only if all their
+    // elements have one.
     const bool also = std::getenv("TETPROOF_ALL_SAMPLES") && has_entities(document);
     if (!also && !rich.contains(name_of(file))) continue;
     for (const auto& [format, binary] : targets) {
@@ -255,7 +256,7 @@ TEST(DifferentialGmsh, WhatWeWrite) {
       write_document(out, document, {.format = format, .binary = binary});
       const bool entities = has_entities(document) && std::string(format) != "msh22";
       written[out] = {document, fmt::format("{} as {}{}", file, format, binary ? ", binary" : ""), entities};
-      // They are told of by entities that version 2 does not have.
+      // Ghosts belong to entities that version 2 does not have.
       if (!entities) written[out].document.ghosts.clear();
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-mesh --figure as users run it, and the pictures that the repository shows.
+// tetproof-mesh --figure as users run it, and the pictures in the repository.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -30,7 +30,7 @@ TEST(FigureOption, WritesAPictureWithOrWithoutAGrid) {
   EXPECT_THAT(files.read("a.svg"), HasSubstr("<title>Unstructured grid inside sphere:r=1,n=200</title>"));
   EXPECT_THAT(files.read("a.svg"), HasSubstr(">x = 0.1: "));
   EXPECT_EQ(files.names(), (std::vector<std::string>{"a.svg", "b.svg", "grid.msh"}));
-  // Without a plane: through the middle of the surface.
+  // Without --plane, the plane passes through the middle of the surface.
   EXPECT_EQ(mesh({"--figure", files / "c.svg", "--colour", "quality"}).exit_code, 0);
   EXPECT_THAT(files.read("c.svg"), HasSubstr(">x = 0: "));
   EXPECT_THAT(files.read("c.svg"), HasSubstr("smallest solid angle"));
@@ -54,7 +54,7 @@ TEST(FigureOption, NothingIsWrittenAfterAMistake) {
   refused("missing/a.svg", {"--figure", files / "missing/a.svg"});
 }
 
-// Each picture of corpus/gallery.sh is what the gallery shows, byte by byte.
+// corpus/gallery.sh makes each picture of the gallery again, byte by byte.
 TEST(Gallery, HasNotDrifted) {
   std::ifstream script(TETPROOF_SOURCE_DIR "/corpus/gallery.sh");
   int pictures = 0;
@@ -79,7 +79,7 @@ TEST(Gallery, HasNotDrifted) {
   EXPECT_EQ(pictures, 4);
 }
 
-// Every picture is XML, as another parser reads it, of a size that a page can show.
+// Another parser reads every picture as XML, and its size fits a page.
 TEST(Gallery, IsXml) {
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(TETPROOF_SOURCE_DIR "/corpus/gallery")) {

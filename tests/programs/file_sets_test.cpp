@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of single programs: sets of TetGen's as inputs and outputs, targets that cannot hold a grid, and
-// lists of checks beside a mesh.
+// Files of single programs: TetGen's sets as inputs and outputs, targets that cannot hold a grid, and lists
+// of checks beside a mesh.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ class OneProgram : public ::testing::Test {
 
 using ConvertFiles = OneProgram;
 
-// What TetGen calls a set is one input: its other files count if they are read.
+// A set of TetGen is one input. Its other files count if they are read.
 TEST_F(ConvertFiles, EveryFileOfASetThatIsReadIsAnInput) {
   folder.write("a.node", octahedron_node);
   folder.write("a.ele", octahedron_ele);
@@ -42,7 +42,7 @@ TEST_F(ConvertFiles, EveryFileOfASetThatIsReadIsAnInput) {
     refused({"tetproof-convert", "a.ele", out}, " is the same file as a.");
   for (const char* out : {"a.msh", "b.node", "a.1.node"})
     EXPECT_EQ(run({"tetproof-convert", "a.ele", out}).exit_code, 0) << out;
-  // The polygons' file has its own points, but its lines would go to the .edge that was read.
+  // A .poly has its own points, but its edges would be written to the .edge that was read.
   refused({"tetproof-convert", "a.ele", "a.poly"}, "a.edge (OUT) is the same file as a.edge (IN)");
   fs::remove(folder / "a.edge");
   EXPECT_EQ(run({"tetproof-convert", "a.ele", "a.poly"}).exit_code, 0);
@@ -61,7 +61,7 @@ TEST_F(ConvertFiles, TheNodesOfAPolygonsFileAreReadIfItHasNone) {
   EXPECT_EQ(folder.read("other.node"), nodes);
 }
 
-// Whether there is a .edge is known only after reading.
+// Only after reading is it known whether a .edge is written.
 TEST_F(ConvertFiles, AllFilesOfASetThatIsWrittenAreOutputs) {
   folder.write("a.node", octahedron_node);
   folder.write("a.ele", octahedron_ele);
@@ -82,7 +82,7 @@ TEST_F(ConvertFiles, AFileIsNotConvertedIntoItself) {
 
 using MeshFiles = OneProgram;
 
-// Refused before the surface is read, which does not even exist.
+// The refusal comes before the surface is read. The surface does not even exist.
 TEST_F(MeshFiles, ATargetWithoutTetrahedraIsRefusedBeforeTheWork) {
   for (const char* out :
        {"grid.stl", "grid.off", "grid.obj", "grid.ply", "grid.poly", "grid.smesh", "grid.vol", "grid.neigh"})
@@ -100,7 +100,7 @@ TEST_F(MeshFiles, TheTraceToFollowIsAnInput) {
   ASSERT_EQ(run({"tetproof-mesh", "box", "--cells", "3", "--trace", "a.jsonl"}).exit_code, 0);
   refused({"tetproof-mesh", "box", "--cells", "3", "--follow", "a.jsonl", "--trace", "a.jsonl"},
           "a.jsonl (--trace) is the same file as a.jsonl (--follow)");
-  // A generated surface is no file.
+  // A generated surface is not a file.
   EXPECT_EQ(run({"tetproof-mesh", "box", "--cells", "3", "--trace", "box"}).exit_code, 0);
 }
 
@@ -124,7 +124,9 @@ TEST_F(VerifyFiles, AListOfChecksIsOneWord) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome;
     const nlohmann::json report = nlohmann::json::parse(outcome.out);
     for (const auto& check : report["checks"])
-      if (check["id"] == id) EXPECT_EQ(check["verdict"], verdict) << id;
+      if (check["id"] == id) {
+        EXPECT_EQ(check["verdict"], verdict) << id;
+      }
   };
   judged({"tetproof-verify", "--check", "flat,inverted", "a.node", "--json", "-"}, "flat", "pass");
   judged({"tetproof-verify", "--check", "flat,inverted", "a.node", "--json", "-"}, "overlap", "skipped");

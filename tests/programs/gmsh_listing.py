@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lists what libgmsh understands of files, one fact a line, for comparison with our own reading of them.
+"""Lists what libgmsh understands of files, one fact a line, to be compared with our own reading.
 
 usage: gmsh_listing.py FILE...          exit code 77: no Gmsh
 
-Of each file, in a process of its own: `file NAME`, `says WORDS` for each warning and error, `end CODE` (0: read,
-3: refused, -N: crashed by signal N), and between them sorted:
+For each file, in a process of its own: `file NAME`, `says WORDS` for each warning and error, `end CODE` (0: read,
+3: refused, -N: crashed by signal N), and between them, sorted:
 
   node TAG X Y Z                     the bits of three doubles
   node TAG in DIM ENTITY
   element TAG TYPE in DIM ENTITY: NODES
-  entity DIM TAG                     of the file, or made by Gmsh for elements
+  entity DIM TAG                     in the file, or made by Gmsh for elements
   groups DIM ENTITY: TAGS            physical groups, sorted; Gmsh drops their signs
   boundary DIM ENTITY: TAGS          signed, sorted, of entities of one dimension less
   partitions DIM ENTITY (PARENT): PARTITIONS
@@ -34,7 +34,7 @@ def signed(tag):
 
 
 class Gmsh:
-    """Gmsh's C interface: results are pointer and length pairs, the last argument an error code."""
+    """Gmsh's C interface. Results are pairs of pointer and length; the last argument is an error code."""
 
     def __init__(self, name):
         self.lib = c.CDLL(name)
@@ -42,7 +42,7 @@ class Gmsh:
     def start(self):
         self.call("gmshInitialize", c.c_int(0), None, c.c_int(0))
         self.call("gmshOptionSetNumber", b"General.Terminal", c.c_double(0))
-        # What an old file says of partitions stays with its elements, and makes no entities.
+        # Partitions of an old file stay with its elements, and do not become entities.
         self.call("gmshOptionSetNumber", b"Mesh.PartitionConvertMsh2", c.c_double(0))
         self.call("gmshLoggerStart")
 
@@ -185,14 +185,14 @@ def list_file(gmsh, path):
     lines += ["says " + line for line in complaints]
     sys.stdout.buffer.write(("\n".join(lines) + "\n").encode("utf-8", "surrogateescape"))
     sys.stdout.flush()
-    os._exit(code)  # without Gmsh's farewell
+    os._exit(code)  # without the message that Gmsh prints at its end
 
 
 def main():
     name = ctypes.util.find_library("gmsh")
     if not name:
         return 77
-    gmsh = Gmsh(name)  # loaded once, which takes longer than most files, but started for each
+    gmsh = Gmsh(name)  # loaded once, because loading takes long, but started for each file
     for path in sys.argv[1:]:
         print("file " + path, flush=True)
         child = os.fork()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tetproof-convert writes, other programs open without a word of warning and understand: the same
-// tetrahedra, and the same coordinates bit by bit where the program keeps doubles.
+// Other programs open what tetproof-convert writes without a warning and understand it: the same tetrahedra,
+// and the same coordinates bit by bit if the program keeps doubles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ const std::vector<std::array<double, 3>> points{
     {0.25, 2.0 / 7, 1.3},
     {1.2345678901234567, 1.4142135623730951, 1.7320508075688772}};
 const std::vector<std::array<int, 4>> tets{{0, 1, 2, 3},
-                                           {1, 4, 2, 3}};  // positive: seen from 3, 0 1 2 run anticlockwise
+                                           {1, 4, 2, 3}};  // positive: 0 1 2 are anticlockwise as seen from 3
 
 std::string with_17_digits(double x) {
   char text[40];
@@ -34,8 +34,8 @@ std::string with_17_digits(double x) {
   return text;
 }
 
-/// The mesh as tools are asked to print it: the bits of each coordinate, then each tetrahedron's points from
-/// 0.
+/// The listing that the tools are asked to print: the bits of each coordinate, then the points of each
+/// tetrahedron, from 0.
 std::string expected_listing() {
   std::string text;
   char line[80];
@@ -96,7 +96,7 @@ const std::vector<Written> msh_files{{"Msh41Text", "out.msh", {}},
                                      {"Msh22Text", "out.msh", {"--to", "msh22"}},
                                      {"Msh22Binary", "out.msh", {"--to", "msh22", "--binary"}}};
 
-// meshio does not read the 4.0 text that Gmsh itself writes.
+// meshio does not read text of version 4.0, not even Gmsh's own.
 std::vector<Written> gmsh_files() {
   std::vector<Written> all = msh_files;
   all.push_back({"Msh40Text", "out.msh", {"--to", "msh40"}});
@@ -118,14 +118,15 @@ TEST_P(OpenedByGmsh, WithoutAWarningAndWithEqualContent) {
   const ScratchFolder folder;
   write_mesh(folder);
   convert(folder, "in.node", GetParam().file, strictly(GetParam().options));
-  // Gmsh writes it again in binary, which keeps every bit, and we put that beside what we started from.
+  // Gmsh writes the file again as binary, which keeps every bit. The result is compared with the original.
   const Outcome run =
       run_program({"gmsh", GetParam().file, "-0", "-bin", "-format", "msh41", "-save_all", "-o", "back.msh"},
                   {.directory = folder / ""});
   ASSERT_EQ(run.exit_code, 0) << run;
   EXPECT_FALSE(says(run.out + run.err, "warning") || says(run.out + run.err, "error")) << run;
   EXPECT_TRUE(says(run.out + run.err, "5 nodes") && says(run.out + run.err, "2 elements")) << run;
-  convert(folder, "back.msh", "back.node");  // in comments: the entity's box, which Gmsh made a little larger
+  // The comments differ: they have the box of the entity, which Gmsh enlarges a little.
+  convert(folder, "back.msh", "back.node");
   convert(folder, "in.node", "again.node");
   const std::string back = folder.read("back.node");
   EXPECT_EQ(back.substr(0, back.find("#: ")), folder.read("again.node"));
@@ -145,7 +146,7 @@ TEST(OpenedByTetgen, ConsistentAndWithEqualContent) {
   ASSERT_EQ(run.exit_code, 0) << run;
   EXPECT_TRUE(says(run.out, "appears to be consistent")) << run;
   EXPECT_FALSE(says(run.out + run.err, "warning") || says(run.out + run.err, "error")) << run;
-  // It writes what it understood beside it, with 16 digits.
+  // TetGen writes what it understood as further files, with 16 digits.
   std::istringstream nodes(folder.read("out.2.node")), elements(folder.read("out.2.ele"));
   std::string line;
   int count = 0, number = 0;
@@ -228,7 +229,7 @@ TEST_P(OpenedByMeshio, WithoutAWarningAndWithEqualContent) {
                                    GetParam().file},
                                   {.directory = folder / ""});
   EXPECT_EQ(run.exit_code, 0) << run;
-  // meshio leaves a blank line behind some formats.
+  // meshio prints a blank line after it reads some formats.
   EXPECT_EQ(run.out.substr(run.out.find_first_not_of('\n')), expected_listing()) << run;
   EXPECT_EQ(run.err, "");
 }

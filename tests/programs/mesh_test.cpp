@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::string shipped = TETPROOF_SOURCE_DIR "/corpus/surfaces/";
 const std::string shared = TETPROOF_SOURCE_DIR "/../shared/surfaces/";
 
-// A surface of the collection, or the project's own copy of it where there is one.
+// The path of a surface of the collection, or else of the project's own copy.
 std::string collected(const std::string& file) {
   return std::filesystem::exists(shared + file) ? shared + file : shipped + file;
 }
@@ -27,7 +27,7 @@ Outcome mesh(std::vector<std::string> arguments) {
   return run_program(arguments, {.timeout_s = 600});
 }
 
-// Every clean surface of the collection, at 24 and 64 cells, inside and outside, gives a certified grid.
+// Every clean surface of the collection gives a certified grid, at 24 and at 64 cells, inside and outside.
 struct Surface {
   const char* name;
   const char* file;
@@ -45,7 +45,7 @@ TEST_P(CleanSurfaces, GiveACertifiedGrid) {
   const std::string file = collected(surface.file);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "neither ../shared/surfaces nor corpus/surfaces has it";
   const ScratchFolder folder;
-  // Coarse ones are adapted, as they are unless told otherwise; fine ones show steps (i) to (iv) alone.
+  // Coarse grids are adapted, which is the default. Fine grids test steps (i) to (iv) alone.
   const bool adapted = std::string(cells) == "24";
   const Outcome run = mesh({file, "-o", folder / "grid.msh", "--binary", "--cells", cells, "--region", region,
                             "--points", adapted ? "auto" : "0", "--json", "-"});
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, CleanSurfaces,
                                   "_" + std::get<2>(each.param);
                          });
 
-// The bad ones get their one line, exit 2 and no file.
+// Bad surfaces are refused with one line and exit code 2, and no file is written.
 struct Bad {
   const char* name;
   std::string file;
@@ -144,7 +144,7 @@ TEST(Mesh, JsonHasTheAgreedKeys) {
     EXPECT_TRUE(generation[key].is_number_integer()) << key;
 }
 
-// The same solid from every format, of triangles, of quadrangles and of both: the same grid.
+// A solid gives the same grid from every format, whether its faces are triangles, quadrangles or both.
 TEST(Mesh, TakesACubeFromEveryFormat) {
   const ScratchFolder folder;
   std::string first;
@@ -202,7 +202,7 @@ TEST(Mesh, ATerminalSeesProgressAndAnEstimate) {
 
 TEST(Mesh, LiteralReportsWhatRoundingDid) {
   const ScratchFolder folder;
-  // Lattice planes come out beside the cube's faces by rounding: cuts next to vertices.
+  // Rounding puts lattice planes beside the cube's faces, so there are cuts close to vertices.
   const std::vector<std::string> cube{"box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4",
                                       "-o",
                                       folder / "g.msh",

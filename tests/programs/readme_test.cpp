@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What README.md shows is what the programs print: every "$ command" in it is run, in its order, in one
-// folder.
+// README.md shows what the programs print: every "$ command" in it is run, in order, in one folder.
 #include "tests/support/run_program.hpp"
 
 namespace tetproof::test {

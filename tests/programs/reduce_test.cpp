@@ -54,7 +54,7 @@ TEST(Reduce, RefusesInOneLine) {
     EXPECT_EQ(lines(run.err), 1u) << run;
     EXPECT_THAT(run.err, HasSubstr("--reduce"));
   }
-  // A surface that is no solid's is refused for what it is, before it is reduced.
+  // A surface that does not bound a solid is refused for that reason, before it is reduced.
   const Outcome open =
       run_program({program("tetproof-mesh"), TETPROOF_SOURCE_DIR "/corpus/surfaces/sphereWithHole.stl",
                    "--reduce", "100", "-o", folder / "grid.msh"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The harness itself: what it says of a command is what the command did.
+// The harness itself: it reports what a command did.
 #include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
@@ -37,7 +37,7 @@ TEST(RunProgram, MissingProgramIs127) {
 }
 
 TEST(RunProgram, MeasuresPeakMemory) {
-  // dd holds its one block of 64 MiB in memory
+  // dd holds its one block of 64 MiB in memory.
   const Outcome run = run_program({"dd", "if=/dev/zero", "of=/dev/null", "bs=64M", "count=1"});
   EXPECT_GE(run.peak_memory_kib, 64 * 1024) << run;
   EXPECT_LT(run.peak_memory_kib, 128 * 1024) << run;

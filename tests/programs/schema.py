@@ -2,8 +2,8 @@
 """Validates reports against a JSON schema (draft 2020-12), for verify_schema_test.cpp.
 
 usage: schema.py validate SCHEMA REPORT...    prints each violation; exit code 1 if there is one
-       schema.py mutilate SCHEMA REPORT       breaks the report in every place, one at a time, and prints what the schema takes
-                                              all the same, then how often it was broken
+       schema.py mutilate SCHEMA REPORT       breaks the report in every place, one at a time; prints the broken reports that the
+                                              schema accepts, then the number of broken reports
 """
 import copy
 import json
@@ -34,7 +34,7 @@ def validate(schema, reports):
 
 
 def places(value, at=()):
-    """Every place in the report as a path of keys; of a list its first entry and the one with the longest text."""
+    """Every place in the report, as a path of keys. Of a list, only the first entry and the one with the longest text."""
     yield at
     if isinstance(value, dict):
         for key, inner in value.items():
@@ -45,7 +45,7 @@ def places(value, at=()):
 
 
 def mutants(report):
-    """What the report becomes: a key left out, a key too many, a value of another type, a number below zero."""
+    """Broken reports: a missing key, an additional key, a value of another type, a negative number."""
     def inner(whole, at):
         for key in at:
             whole = whole[key]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-verify --defects, read back by VTK: what every finding of the JSON names is there and marked, one
-// ring around it, and no more.
+// tetproof-verify --defects, read by VTK: the elements that the findings of the JSON name are there and are
+// marked, with one ring of neighbours, and nothing else is.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ TEST(VerifyDefects, HoldWhatTheReportNamesAndOneRing) {
   if (run_program({python, "-c", "import vtk"}).exit_code != 0)
     GTEST_SKIP() << "VTK's Python module is not installed";
   const std::string meshes = TETPROOF_SOURCE_DIR "/corpus/bad-meshes/";
-  // A mesh, and the surface that it should fill.
+  // Meshes, and the surfaces that they should fill.
   const std::vector<std::array<std::string, 2>> cases{
       {"sound-block", ""},
       {"index-negative", ""},

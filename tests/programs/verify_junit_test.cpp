@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-verify --junit: an XML parser that is not ours reads it back, whatever the mesh's file is called.
+// tetproof-verify --junit: another XML parser reads it, whatever the name of the mesh's file is.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-// Attributes, text and children of every element, by Python's expat.
+// Prints the attributes, text and children of every element; parsed by Python's expat.
 constexpr const char* to_json =
     "import json, sys, xml.etree.ElementTree as tree\n"
     "def shown(e): return {'tag': e.tag, 'is': e.attrib, 'text': e.text, 'in': [shown(c) for c in e]}\n"
@@ -22,7 +22,7 @@ constexpr const char* to_json =
 
 class VerifyJunit : public Verify {
  protected:
-  // The only test suite of each file.
+  // The test suite of each file. Expects that there is exactly one.
   json suites(const std::vector<std::string>& names) const {
     std::vector<std::string> command{"python3", "-c", to_json};
     for (const std::string& name : names) command.push_back(files / name);
@@ -103,7 +103,7 @@ TEST_F(VerifyJunit, ADefectiveMesh) {
   EXPECT_THAT(inverted["is"]["message"].get<std::string>(), StartsWith("tetrahedron 2: negative: volume"));
   EXPECT_THAT(inverted["text"].get<std::string>(), AllOf(StartsWith("FAIL inverted: 1\n  tetrahedron 2: "),
                                                          HasSubstr("\n    from this follows: ")));
-  // All of its findings follow from the duplicate.
+  // All findings of this check follow from the duplicate.
   EXPECT_EQ(test_case(bad, "face-shared-thrice")["in"][0]["is"]["message"],
             "follows from what another check found");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verify/reports/report.schema.json, by a validator that is not ours: it takes what tetproof-verify --json
-// writes of all kinds of meshes, and nothing that deviates from it.
+// verify/reports/report.schema.json, tested with another validator: it accepts what tetproof-verify --json
+// writes for all kinds of meshes, and refuses everything that deviates.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -18,16 +18,16 @@ constexpr const char* script = TETPROOF_SOURCE_DIR "/tests/programs/schema.py";
 class VerifySchema : public Verify {
  protected:
   VerifySchema() {
-    // A small tetrahedron that lies askew in the cube: the overlap's witness is no double.
+    // A small oblique tetrahedron that overlaps the cube. The exact point in both is not a double.
     files.write("overlap.node",
                 std::string("12") + (cube_node + 1) +
                     "9 -0.1 -0.1 -0.1\n10 0.2 0.1 -0.07\n11 0.1 0.3 0.01\n12 0.03 0.07 0.31\n");
     files.write("overlap.ele", std::string("7") + (cube_ele + 1) + "7 9 10 11 12\n");
-    // One of the cube's six tetrahedra with points of its own.
+    // One of the cube's six tetrahedra has its own points.
     files.write("cracked.node",
                 std::string("12") + (cube_node + 1) + "9 -1 -1 -1\n10 1 -1 -1\n11 1 1 -1\n12 1 1 1\n");
     files.write("cracked.ele", std::string("6 4 0\n1 9 10 11 12\n") + (cube_ele + 16));
-    // The cube's half, refined at the middle of the diagonal of its bottom, on one side of the diagonal only.
+    // The diagonal of the cube's bottom is divided at its midpoint, on one side only.
     files.write("hanging.node", std::string("9") + (cube_node + 1) + "9 0 0 -1\n");
     files.write("hanging.ele", std::string("7 4 0\n1 1 2 9 8\n7 9 2 4 8\n") + (cube_ele + 16));
     files.write("nan.node", std::string("9") + (cube_node + 1) + "9 nan inf 1e308\n");
@@ -94,7 +94,7 @@ TEST_F(VerifySchema, TakesReportsOfAllKinds) {
   const Outcome validated = run_program(command);
   EXPECT_EQ(validated.exit_code, 0) << validated;
   EXPECT_EQ(validated.out, "");
-  // What was validated was not one kind of report twenty times.
+  // The reports that were validated are of many kinds.
   EXPECT_THAT(verdicts, testing::IsSupersetOf({"pass", "warning", "fail", "skipped"}));
   EXPECT_THAT(failed, testing::IsSupersetOf({"index-range", "finite-coordinates", "inverted", "duplicate-tet",
                                              "overlap", "crack", "hanging-node", "volume-surface"}));
@@ -111,7 +111,7 @@ TEST_F(VerifySchema, RefusesWhatDeviates) {
     ASSERT_TRUE(files.has(report));
     const Outcome mutilated = run_program({python, script, "mutilate", schema, files / report});
     ASSERT_EQ(mutilated.exit_code, 0) << mutilated;
-    // Phases have names that are no promise, and some keys are not in every report.
+    // The names of phases are not fixed by the schema, and some keys are not in every report.
     std::istringstream rest(mutilated.out);
     std::string line, last;
     for (; std::getline(rest, line); last = line) {

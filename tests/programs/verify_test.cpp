@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-verify as users run it: what it prints, its exit codes, the JSON's keys and values.
+// tetproof-verify as users run it: its output, its exit codes, the keys and values of its JSON.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -27,7 +27,7 @@ TEST_F(Verify, ASoundMesh) {
   EXPECT_FALSE(sound.contains("seconds"));
 }
 
-// TetGen's attributes and Gmsh's groups are regions; tetrahedra of second order are judged by their corners.
+// TetGen's attributes and Gmsh's groups are regions.
 TEST_F(Verify, RegionsByElementTags) {
   files.write("parts.node", cube_node);
   files.write("parts.ele",
@@ -44,7 +44,7 @@ TEST_F(Verify, RegionsByElementTags) {
 }
 
 TEST_F(Verify, SecondOrderByCorners) {
-  // One tetrahedron with its six midpoints, in Gmsh's order.
+  // One tetrahedron of second order, with its nodes in Gmsh's order.
   files.write(
       "second.msh",
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n"
@@ -76,7 +76,7 @@ TEST_F(Verify, ADefectiveMesh) {
   EXPECT_GT(check(bad, "face-shared-thrice")["consequences"], 0);
 }
 
-// A cube of six tetrahedra beside a hexahedron, which holds a further tetrahedron.
+// A cube of six tetrahedra beside a hexahedron that contains another tetrahedron.
 TEST_F(Verify, AMixedMeshIsIncomplete) {
   files.write(
       "mixed.msh",
@@ -100,7 +100,7 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
 }
 
 TEST_F(Verify, ACrackedMesh) {
-  // The first tetrahedron with four points of its own: its two inner faces are not shared.
+  // The first tetrahedron has its own copies of four points, so its two inner faces are not shared.
   files.write("cracked.node",
               std::string("12") + (cube_node + 1) + "9 -1 -1 -1\n10 1 -1 -1\n11 1 1 -1\n12 1 1 1\n");
   files.write("cracked.ele", std::string("6 4 0\n1 9 10 11 12\n") + (cube_ele + 16));
@@ -126,7 +126,7 @@ TEST_F(Verify, AgainstASurface) {
   EXPECT_EQ(check(exact, "volume-surface")["verdict"], "pass");
   EXPECT_EQ(check(exact, "topology")["verdict"], "pass");
 
-  // Generated surfaces too; the cube is no ball.
+  // The surface may be generated. The cube is not a ball.
   const json ball = report({"cube.node", "sphere:r=1,n=500", "--voxels", "0"}, 1);
   EXPECT_EQ(check(ball, "volume-surface")["verdict"], "fail");
   EXPECT_EQ(check(ball, "volume-voxel")["verdict"], "skipped");
@@ -146,7 +146,7 @@ TEST_F(Verify, ChecksAreChosenById) {
 }
 
 TEST_F(Verify, BadInputIsOneLine) {
-  const std::string closed = cube_off;  // less its last triangle
+  const std::string closed = cube_off;  // without its last triangle below
   files.write("open.off", "OFF\n8 11 0\n" + closed.substr(11, closed.rfind("3 1 7 5") - 11));
   files.write("points.node", "0 3 0 0\n");
   files.write("points.ele", "0 4 0\n");
@@ -178,9 +178,9 @@ TEST_F(Verify, DefectsForAViewer) {
     EXPECT_THAT(vtu, HasSubstr(name));
 }
 
-// Gmsh 4.8.4, HXT on two threads, of corpus/surfaces/plate_holes.STL, in one run of several; the others were
-// sound, as on one thread (other_meshers.py). Tetrahedron 52 has a point of its own, 621, in the place of
-// point 623, which its three inner neighbours have: their lines in the .node file are the same but for the
+// Gmsh 4.8.4 made this mesh of corpus/surfaces/plate_holes.STL with HXT on two threads. Of several runs only
+// this one was wrong; on one thread all are sound (other_meshers.py). Tetrahedron 52 has its own point 621
+// where its three inner neighbours have point 623. The two lines in the .node file are equal except for the
 // numbers.
 TEST_F(Verify, AMeshThatGmshCracked) {
   const std::string mesh = TETPROOF_SOURCE_DIR "/tests/programs/meshes/plate_holes-hxt.ele";

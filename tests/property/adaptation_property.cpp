@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold at every step of the adaptation of any first grid, drawn at random.
+// Properties that hold at every step of the adaptation of a random first grid.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
@@ -76,7 +76,7 @@ double volume_of(const TetMesh& mesh) {
   return static_cast<double>(sum);
 }
 
-// Points of faces that belong to one tetrahedron.
+// Whether each point is on the boundary, that is, on a face of only one tetrahedron.
 std::vector<bool> boundary_points(const TetMesh& mesh) {
   std::map<std::array<Index, 3>, int> faces;
   for (const auto& tet : mesh.tets)
@@ -104,7 +104,7 @@ RC_GTEST_PROP(Adaptation, EveryStepKeepsWhatMustHold, ()) {
     const std::vector<bool> on_boundary = boundary_points(mesh);
     for (Index p = 0; p < grid.grid().points(); ++p) {
       if (!on_boundary[p] || grid.grid().on_surface(p)) continue;
-      // Then it is on the outer boundary, the box; the surface's points are known as such.
+      // Then it is on the outer box, because the points on the surface are known.
       RC_ASSERT(c.options.region == Region::outside);
     }
   };
@@ -176,7 +176,8 @@ RC_GTEST_PROP(Adaptation, OfAParametricSurfaceStaysPositiveAndOnIt, ()) {
   RC_ASSERT(report[verify::Check::flat].verdict == verify::Verdict::pass);
   RC_ASSERT(report[verify::Check::face_shared_thrice].verdict == verify::Verdict::pass);
   RC_ASSERT(report[verify::Check::face_orientation].verdict == verify::Verdict::pass);
-  // Every surface point of the first grid is on the true torus, or was counted as one that had to stay.
+  // Every surface point of the first grid is on the true torus, or is counted as one that had to stay in
+  // place.
   std::int64_t off = 0;
   for (std::size_t p = 0; p < made.grid.mesh.points.size(); ++p) {
     const Eigen::Vector3d& x = made.grid.mesh.points[p];

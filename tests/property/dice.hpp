@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers that are the same on every machine: the standard fixes the engine's, not the distributions'.
+// Random numbers that are the same on every machine. The standard defines the engine but not the
+// distributions.
 #pragma once
 
 #include <bit>
@@ -24,7 +25,7 @@ class Dice {
   bool chance(int one_in) { return below(one_in) == 0; }
   double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
-  /// Any double but NaN, the strange ones often.
+  /// Any double except NaN; the unusual ones are frequent.
   double wild() {
     static constexpr double strange[] = {0.0,
                                          -0.0,
@@ -41,7 +42,7 @@ class Dice {
     const double any = std::bit_cast<double>(random_());
     return std::isnan(any) ? 0.5 : any;
   }
-  /// NaN as well.
+  /// Any double, NaN included.
   double any_real() { return chance(9) ? std::numeric_limits<double>::quiet_NaN() : wild(); }
 
   /// A name that differs from those with another `k`.

@@ -29,7 +29,7 @@ std::string reals(const std::vector<double>& all) {
   return joined(all, [](double x) { return bits(x); });
 }
 
-// Item by item in the order of the names, so that the order in the file does not count.
+// Lists items in the order of their names, so that their order in the file does not matter.
 Text text_of(const Values& values, const char* whose, const Names& name) {
   const std::string kind = values.integers.empty() ? "real" : "integer",
                     labels = joined(values.labels, quoted),
@@ -84,7 +84,7 @@ std::string indices(const auto& all) {
 
 std::string bits(double x) {
   if (std::isnan(x)) return "nan";
-  return fmt::format("{}{}", std::signbit(x) && x == 0 ? "-0/" : "", x);  // the shortest that names it
+  return fmt::format("{}{}", std::signbit(x) && x == 0 ? "-0/" : "", x);  // the shortest exact text
 }
 
 std::string quoted(const std::string& text) {
@@ -181,7 +181,7 @@ std::vector<Text> texts_of_rest(const Document& document) {
     texts.back().name = table.name;
     for (const Column& column : table.columns) texts.back().lines.push_back({column.name, text_of(column)});
   }
-  // Whether the file was a text or binary is its own affair where a section is text in both.
+  // If a section is text in both files, it does not matter whether the files are binary.
   for (const Section& section : document.sections)
     texts.push_back({fmt::format("{}{} {}", quoted(section.name), section.before_nodes ? " before" : "",
                                  quoted(section.body)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a document as texts that are equal when the parts are: so they can be compared in any order.
+// The parts of a document as texts. Equal parts have equal texts, so they can be compared in any order.
 #pragma once
 
 #include <functional>
@@ -10,26 +10,26 @@
 
 namespace tetproof::test {
 
-/// A part as a text, and how many of what its loss is counted in it has.
+/// A part as text.
 struct Text {
   std::string text;
-  std::int64_t count = 1;
-  std::string item;   ///< what its loss is called
-  bool gone = false;  ///< it belonged to nodes or elements that are not there any more
+  std::int64_t count = 1;  ///< how much the list of losses counts for it
+  std::string item;        ///< the name of its loss
+  bool gone = false;       ///< it belonged to nodes or elements that are lost
 
-  /// Its parts, by what they belong to: lines of values by node or element, columns of a table, the title.
+  /// Its lines: values by node or element, columns of a table, or the title.
   struct Line {
     std::string of, content;
-    bool empty = false;  ///< of values: nothing but NaN or 0
+    bool empty = false;  ///< of values: only NaN or 0
   };
-  std::string name{}, subject{};         ///< `subject`: as the example of a loss names it
+  std::string name{}, subject{};         ///< `subject`: the words in the example of a loss
   int components = 0;                    ///< of values
-  std::string kind{}, labels{}, step{};  ///< of values: real or integer, and what is not numbers
+  std::string kind{}, labels{}, step{};  ///< of values
   std::vector<Line> lines{};
 };
 
-/// What a node or an element is called in texts: the same for the same one in both documents; empty for one
-/// that the other document does not have.
+/// The name of a node or an element in texts. It is the same in both documents; it is empty if the other
+/// document does not have the node or element.
 using Names = std::function<std::string(Index)>;
 
 std::string bits(double x);  ///< -0 is not 0; any NaN is like any other

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What differs between a document and what came back of it, judged by looking at both: of the format it is
-// told no more than what kind of elements it has place for, and it shares no code with the list of losses
-// that it is compared with.
+// Finds the differences between a document and what came back of it, by looking at both. It knows nothing of
+// the format except which elements it can hold, and shares no code with the list of losses that it is
+// compared with.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of round trips, judged: it sees what was done to a document, all of it, and nothing else.
+// The judge of round trips is judged: it sees every change that was made to a document, and no other.
 #include "documents_compare.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(DocumentsCompare, ADocumentIsLikeItself) {
   }
 }
 
-// Blocks in pieces and tag sets in another order say the same; so does a number that counts up.
+// Divided blocks, reordered tag sets and consecutive numbers make no difference.
 TEST(DocumentsCompare, SeesNoDifferenceInHowItIsKept) {
   const Document document = random_document(with_everything(1));
   Document other = document;
@@ -81,7 +81,7 @@ TEST(DocumentsCompare, SeesWhatWasDone) {
   }
 }
 
-// What is left of something lost is no gain, but nothing else may stand there.
+// A remnant of a lost part is not a gain. Anything else is.
 TEST(DocumentsCompare, KnowsRemnants) {
   Document was;
   was.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
@@ -99,7 +99,7 @@ TEST(DocumentsCompare, KnowsRemnants) {
             "names of values of nodes 1; labels of values of nodes 1; gaps in values of nodes 1; "
             "table \"t\" 1; title 1; ");
   is.title = "longer";
-  is.node_values[0].integers = {2, 3, 1};  // the second one had none
+  is.node_values[0].integers = {2, 3, 1};  // the second node had no value
   is.tables[0].columns[0].reals[0] = 2;
   EXPECT_EQ(text_of(differences(was, is)),
             "values \"v w\" of nodes 2; gained values \"v_w #2\" of nodes 3; "
@@ -111,7 +111,7 @@ TEST(DocumentsCompare, KnowsRemnants) {
             "table \"t\" 1; title 1; ");
 }
 
-// Two tetrahedra and a line, written down.
+// Two tetrahedra and a line.
 Document small() {
   Document d;
   for (int i = 0; i < 5; ++i) d.points.emplace_back(i, i * i, 0.1);
@@ -151,7 +151,7 @@ TEST(DocumentsCompare, CountsElements) {
             "values \"v\" of elements 3; gained values \"v\" of elements 3; ");
 }
 
-// Triangles of second order, the first of which names a node between its corners that does not exist, and a
+// Two second-order triangles, of which the first one names a mid-edge node that does not exist; and a
 // quadrangle that names one corner twice.
 Document alike() {
   Document d;
@@ -178,7 +178,7 @@ TEST(DocumentsCompare, PairsElementsThatBecameAlike) {
   EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}, {0, 1, 2}}))),
             "nodes between the corners of triangles of 6 nodes (type 9) 2; " + quadrangle);
   EXPECT_EQ(text_of(differences(alike(), triangles({{0, 1, 2}}),
-                                Holding::elements_of_nodes)),  // the second one is the first now
+                                Holding::elements_of_nodes)),  // the second triangle is the first one now
             "elements that name nodes which do not exist 1; "
             "nodes between the corners of triangles of 6 nodes (type 9) 1; " +
                 quadrangle + "numbers of elements 1; ");

@@ -14,7 +14,8 @@
 namespace tetproof::test {
 namespace {
 
-// The type and the number of the corners of an element of first order like it.
+// The type of the first-order element with the same corners, and the number of corners; 0, 0: the element is
+// of first order itself.
 std::pair<int, std::size_t> corners_of(const Element& element) {
   static const std::map<io::Shape, int> first_order{{io::Shape::line, 1},       {io::Shape::triangle, 2},
                                                     {io::Shape::quadrangle, 3}, {io::Shape::tetrahedron, 4},
@@ -29,7 +30,7 @@ std::pair<int, std::size_t> corners_of(const Element& element) {
 
 using Key = std::pair<int, std::vector<Index>>;
 
-// The corners of an element that may be cut into triangles; 0 for any other.
+// The number of corners of an element that may be cut into triangles; 0 for any other one.
 std::size_t corners_to_cut(const Element& element) {
   const io::ElementType* type = io::element_type(element.type);
   if (element.names_unknown()) return 0;
@@ -56,15 +57,15 @@ class Cutting {
       if (is_triangle(element)) --surplus_[{element.nodes[0], element.nodes[1], element.nodes[2]}];
   }
 
-  // Such that no triangle is left over: polygons that name nodes several times have fans that are parts of
-  // others.
+  // Tries until no triangle is left over. If polygons name nodes several times, one fan may be part of
+  // another one.
   void find() {
     for (const auto& [corners, more] : surplus_) left_ += static_cast<std::size_t>(std::max(more, 0));
     if (left_ > 0) find_from(0, 0);
   }
 
  private:
-  // One that came back, as itself or by its corners.
+  // A triangle that came back as it was, or by its corners.
   static bool is_triangle(const Element& element) {
     return (element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3})) &&
            !element.names_unknown();
@@ -81,7 +82,7 @@ class Cutting {
       claim(b, e, n - 2, -1);
       return false;
     };
-    // Best behind the triangles that stood before it.
+    // Most likely the fan follows the triangles of the elements before the polygon.
     std::size_t place = 0;
     for (std::size_t i = 0; i < b; ++i)
       place += is_triangle(before_[i]) ? 1 : pairs_.cut_after[i] != none ? corners_to_cut(before_[i]) - 2 : 0;
@@ -91,7 +92,7 @@ class Cutting {
     return find_from(b + 1, from);
   }
 
-  // The triangles from `e` on for a polygon, or back from it.
+  // Gives the triangles from `e` on to a polygon (`sign` 1), or takes them away again (-1).
   void claim(std::size_t b, std::size_t e, std::size_t count, int sign) {
     pairs_.cut_after[b] = sign > 0 ? static_cast<Index>(e) : none;
     for (std::size_t i = e; i < e + count; ++i) {
@@ -101,7 +102,7 @@ class Cutting {
     left_ = sign > 0 ? left_ - count : left_ + count;
   }
 
-  // Whether the triangles from `e` on are the polygon's, and more than there were before.
+  // Whether the triangles from `e` on are a fan of the polygon, and none of them was a triangle before.
   bool is_fan(const Element& polygon, std::size_t n, std::size_t e) {
     std::map<Triangle, int> used;
     for (std::size_t i = e; i < e + n - 2; ++i)
@@ -118,8 +119,8 @@ class Cutting {
 
   const std::vector<Element>&before_, &after_;
   Pairing& pairs_;
-  std::vector<Triangle> triangles_;  // of `after` in the numbers of `before`
-  std::map<Triangle, int> surplus_;  // how many more there are than triangles before
+  std::vector<Triangle> triangles_;  // of `after`, with the node numbers of `before`
+  std::map<Triangle, int> surplus_;  // the number in `after` minus the number in `before`
   std::size_t left_ = 0, tries_ = 0;
 };
 
@@ -184,8 +185,8 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
   pairs.cut_before.assign(elements_after.size(), none);
   pairs.cut_after.assign(elements_before.size(), none);
   if (holding == Holding::triangles) Cutting(elements_before, elements_after, pairs).find();
-  std::vector<Key> keys;                // of the elements of `after` in the numbers of `before`
-  std::map<Key, std::size_t> unpaired;  // how many of them there still are
+  std::vector<Key> keys;                // elements of `after`, with the node numbers of `before`
+  std::map<Key, std::size_t> unpaired;  // how many of each are not paired yet
   for (std::size_t e = 0; e < elements_after.size(); ++e) {
     Key key{elements_after[e].type, elements_after[e].nodes};
     constexpr Index new_node = -2;
@@ -206,7 +207,7 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
       if (const auto like = in->find(keys[e]); like != in->end())
         for (const Index b : like->second)
           if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
-    // Where all came back there is nothing to choose.
+    // If all came back there is no need to choose.
     if (same_part && candidates.size() > unpaired[keys[e]])
       std::erase_if(candidates, [&](Index b) {
         return elements_before[static_cast<std::size_t>(b)].of_boundary != elements_after[e].of_boundary;
@@ -217,8 +218,8 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     pairs.element_before[e] = found;
     pairs.element_after[static_cast<std::size_t>(found)] = static_cast<Index>(e);
   };
-  // First those of a higher order, which came back as they are: what is left of them lost its nodes between.
-  // And first what is of the boundary to mesh on both sides or on none.
+  // First pairs elements of higher order, which came back whole; the remaining ones lost their mid-edge
+  // nodes. Before that, pairs elements that are part of the boundary to mesh in both documents or in none.
   for (const bool same_part : {true, false}) {
     for (std::size_t e = 0; e < elements_after.size(); ++e)
       if (corners_of(elements_after[e]).first != 0) pair(e, {&whole}, same_part);

@@ -14,7 +14,7 @@
 namespace tetproof::test {
 namespace {
 
-// What a node block says of one node.
+// The entity and parameters that a node block gives to one node.
 struct NodePlace {
   bool any = false;
   int dim = 0;
@@ -37,7 +37,7 @@ std::vector<NodePlace> places_of(const Document& document) {
 
 using Id = std::pair<int, std::int64_t>;
 
-// The box of what lies in an entity.
+// The box of an entity's nodes.
 struct Box {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   void take(const Eigen::Vector3d& p) {
@@ -45,7 +45,7 @@ struct Box {
   }
 };
 
-// Whether the elements and nodes in it say all that there is to say of an entity.
+// Whether the elements and nodes of an entity say everything that the entity says.
 bool follows(const Document& document, const std::vector<Element>& elements, const Entity& entity) {
   if (!entity.boundary.empty() || entity.parent_dim >= 0) return false;
   const auto& groups = document.tag_sets.at(static_cast<std::size_t>(entity.groups));
@@ -61,7 +61,7 @@ bool follows(const Document& document, const std::vector<Element>& elements, con
   for (std::size_t i = 0; i < places.size(); ++i)
     if (places[i].any && places[i].dim == entity.dim && places[i].entity == entity.tag)
       box.take(document.points[i]);
-  if (entity.dim == 0) box.high = box.low;  // a point's coordinates stand in both halves
+  if (entity.dim == 0) box.high = box.low;  // a point has its coordinates in both halves
   for (int k = 0; k < 3; ++k) told = told && entity.box[k] == box.low[k] && entity.box[3 + k] == box.high[k];
   return told;
 }
@@ -77,7 +77,8 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   };
   const std::vector<Element> was = elements_of(before), is = elements_of(after);
 
-  // Of elements. A 0 is no entity, and the writer may give it one; 0 and 1 are what all have that have none.
+  // Entities of elements. 0 means no entity, and the writer may give it one. If all entities are 0 or 1, the
+  // file tells nothing.
   const bool told =
       std::any_of(is.begin(), is.end(), [](const Element& e) { return e.entity != 0 && e.entity != 1; });
   std::int64_t changed = 0;
@@ -96,7 +97,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   }
   add(told ? "numbers of entities" : "entities of elements", changed, example);
 
-  // Of nodes.
+  // Entities of nodes.
   const std::vector<NodePlace> nodes_were = places_of(before), nodes_are = places_of(after);
   bool moved = false, parameters_lost = false, went_with_node = false;
   std::int64_t with_parameters = 0, gained = 0;
@@ -111,7 +112,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
         parameters_lost || (!nodes_were[i].parameters.empty() && now.parameters != nodes_were[i].parameters);
     gained += nodes_were[i].parameters.empty() && !now.parameters.empty();
   }
-  // An entity that all nodes have is nothing but a number.
+  // An entity of all nodes is only a number.
   const bool one_for_all =
       before.node_blocks.size() == 1 && before.node_blocks[0].count == before.points.size();
   if (!one_for_all || !after.node_blocks.empty())
@@ -120,7 +121,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
   add("nodes with parametric coordinates", parameters_lost ? with_parameters : 0, "");
   add("gained parametric coordinates", gained, "");
 
-  // Themselves.
+  // The entities themselves.
   std::multiset<std::string> there;
   for (const Entity& entity : after.entities) there.insert(text_of_entity(after, entity));
   std::int64_t lost = 0;
@@ -135,7 +136,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
     if (lost++ == 0) example = text;
   }
   add("entities with their boxes and boundaries", lost, example);
-  // One that the writer made for elements or nodes has some.
+  // An entity that the writer added for elements or nodes is not gained.
   for (const Entity& entity : after.entities) {
     const auto in_it = [&](const auto& part) { return part.dim == entity.dim && part.entity == entity.tag; };
     if (there.count(text_of_entity(after, entity)) && std::none_of(is.begin(), is.end(), in_it) &&
@@ -143,7 +144,7 @@ std::vector<Difference> differences_of_entities(const Document& before, const Do
       add("gained entities", 1, text_of_entity(after, entity));
   }
 
-  // The number of partitions is that of the largest, if nobody says another.
+  // If a file does not say the number of partitions, it is the largest partition.
   std::int64_t largest = 0;
   for (const Element& element : is)
     for (const std::int64_t partition : element.partitions) largest = std::max(largest, std::abs(partition));

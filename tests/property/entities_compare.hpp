@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of documents_compare.hpp that is about entities.
+// The part of documents_compare.hpp that compares entities.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace tetproof::test {
 
-/// Entities of elements and of nodes, parameters of nodes, entities themselves, the number of partitions.
+/// Compares the entities of elements and of nodes, the parameters of nodes, the entities themselves, and the
+/// number of partitions.
 std::vector<Difference> differences_of_entities(const Document& before, const Document& after,
                                                 const Pairing& pairs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold for the grid of any closed surface, drawn at random.
+// Properties of the grid of any random closed surface.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
@@ -56,7 +56,7 @@ bool passes(const verify::Report& report, verify::Check check) {
   return report[check].verdict == verify::Verdict::pass;
 }
 
-// How often each case of Table 1 occurred, over its rows.
+// How often each case of Table 1 occurred, summed over its rows.
 std::map<std::string, std::int64_t> cases_of(const Generation& made) {
   std::map<std::string, std::int64_t> cases;
   for (std::size_t r = 0; r < made.grid.rows.size(); ++r) {
@@ -74,7 +74,7 @@ RC_GTEST_PROP(Generation, IsCertifiedAndItsBoundaryIsManifoldOffTheLattice, ()) 
   const verify::Report report = verify::verify(made.grid.mesh, {.quality = false});
   RC_ASSERT(report.certificate.has_value() && *report.certificate);
   RC_ASSERT(verify::sound(report));
-  // With a tolerance every lattice vertex that is 0 is one that was moved there, or mended.
+  // With a tolerance, every lattice vertex with indicator 0 was moved to the surface, or mended.
   const bool no_vertex_on_surface =
       c.options.on_surface > 0 && made.moved_to_surface == 0 && made.mended == 0;
   if (no_vertex_on_surface) {
@@ -93,7 +93,7 @@ RC_GTEST_PROP(Generation, InsideAndOutsideTogetherAreTheBox, ()) {
   const Generation inside = generate(surface, c.options);
   c.options.region = Region::outside;
   const Generation outside = generate(surface, c.options);
-  // Where Table 3 changed nothing: rows 1 and 6 leave their indicators and have no cut.
+  // Only if Table 3 changed nothing. Rows 1 and 6 keep their indicators and have no cut.
   for (const std::size_t row : {1, 3, 4, 5}) RC_PRE(inside.table3[row] == 0 && outside.table3[row] == 0);
   RC_PRE(inside.mended == 0 && outside.mended == 0);
   TetMesh both = inside.grid.mesh;
@@ -115,8 +115,8 @@ RC_GTEST_PROP(Generation, InsideAndOutsideTogetherAreTheBox, ()) {
   RC_ASSERT(report.mesh.components == std::optional<std::int64_t>(1));
   RC_ASSERT(report.mesh.cavities == std::optional<std::int64_t>(0));
   const Eigen::Vector3d size = inside.lattice.point(inside.lattice.vertices() - 1) - inside.lattice.point(0);
-  // In a tight box vertices of its own faces may have gone to the surface; in a wider one it is filled but
-  // for rounding.
+  // In a tight box, vertices on its faces may have moved to the surface. A wider box is filled up to
+  // rounding.
   if (c.options.box_scale > 1.1)
     RC_ASSERT(std::abs(*report.mesh.volume - size.prod()) <= 1e-14 * size.prod());
 }
@@ -174,8 +174,8 @@ RC_GTEST_PROP(Generation, CaseCountsSurviveACyclicExchangeOfTheAxes, ()) {
   reference::Options turned_options = c.options;
   std::rotate(turned_options.cells.begin(), turned_options.cells.begin() + 1, turned_options.cells.end());
   Generation a = generate(surface, c.options), b = generate(turned, turned_options);
-  // The rule for diagonals goes by number, and so does which tetrahedron rounding inverts: what is mended may
-  // differ, what is cut before that may not.
+  // The rule for diagonals depends on numbers, and so does which tetrahedron rounding inverts. Mended
+  // tetrahedra may differ, but the cuts before mending may not.
   const bool mended = a.mended > 0 || b.mended > 0;
   RC_CLASSIFY(mended, "mended, so compared as printed");
   if (mended) {
@@ -188,7 +188,7 @@ RC_GTEST_PROP(Generation, CaseCountsSurviveACyclicExchangeOfTheAxes, ()) {
   RC_ASSERT(a.moved_to_surface == b.moved_to_surface);
 }
 
-// Found by InsideAndOutsideTogetherAreTheBox with seed 7: a lattice tetrahedron of case 5 whose centroid lies
+// InsideAndOutsideTogetherAreTheBox found this with seed 7: a lattice tetrahedron of case 5 whose centroid is
 // exactly on the surface was in neither grid (reading D10).
 TEST(CentroidOnTheSurface, BelongsToOneGrid) {
   const TriangleSurface surface = corpus::random_closed_surface(368525);

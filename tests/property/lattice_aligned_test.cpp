@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that hit the lattice on purpose, through every combination of options: each grid is certified, and
-// what is literal says so.
+// Surfaces that deliberately hit the lattice, with every combination of options: each grid is certified, and
+// a literal one reports its defects.
 #include <gtest/gtest.h>
 
 #include "corpus/surfaces.hpp"
@@ -22,8 +22,8 @@ struct Aligned {
   double box_scale;
 };
 
-// A body of m cells in a box scaled by 2 with 2m cells has its faces in lattice planes, exactly for powers of
-// two.
+// A body of m cells in a box scaled by 2 with 2m cells has its faces in lattice planes. They are exact for
+// powers of two.
 const Aligned surfaces[] = {
     {"CubeFacesEdgesCornersInLatticePlanes", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4", {8, 8, 8}, 2},
     {"CubeWithTrianglesFinerThanTheLattice", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4,n=7", {8, 8, 8}, 2},
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(All, LatticeAligned,
                                           testing::Values(0, 1e-6, 0.1)),
                          name_of);
 
-// A cube whose faces lie in lattice planes is reproduced exactly.
+// A cube with faces in lattice planes is reproduced exactly.
 TEST(LatticeAlignedVolume, CubeIsExact) {
   const TriangleSurface cube = corpus::make_surface("box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4");
   for (const double on_surface : {1e-6, 0.1}) {
@@ -103,8 +103,8 @@ TEST(LatticeAlignedVolume, CubeIsExact) {
   }
 }
 
-// Reading D10: the groove's lattice tetrahedra have four vertices on the surface. By default those outside
-// are dropped, literally they are kept.
+// Reading D10: in the groove, lattice tetrahedra have all four vertices on the surface. By default those
+// outside are dropped; with --literal they are kept.
 TEST(LatticeAlignedVolume, GrooveIsEmptyUnlessLiteral) {
   const TriangleSurface groove = corpus::make_surface("groove:m=4,width=1,depth=2");
   const double solid = 64 - 1 * 4 * 2;
@@ -114,7 +114,7 @@ TEST(LatticeAlignedVolume, GrooveIsEmptyUnlessLiteral) {
   EXPECT_GT(*verify::verify(literal.grid.mesh).mesh.volume, solid);
 }
 
-// Reading D4: lattice planes that rounding puts 1e-17 beside the faces make cuts next to vertices, and those
+// Reading D4: rounding puts lattice planes 1e-17 beside the faces. This makes cuts close to vertices, and
 // inverted tetrahedra.
 TEST(Mending, LeavesNoTetrahedronInverted) {
   for (const char* spec :

@@ -56,7 +56,7 @@ class Maker {
     used_ = d_.points.size() - (has(Feature::loose_nodes) ? d_.points.size() / 3 : 0);
   }
 
-  // The types that blocks are drawn from.
+  // The element types from which blocks are drawn.
   std::vector<int> types() const {
     std::vector<int> types;
     const auto add = [&](Feature feature, std::initializer_list<int> more) {
@@ -91,7 +91,7 @@ class Maker {
       std::vector<Index> element;
       for (int k = 0; k < block.nodes_each; ++k) {
         Index node = static_cast<Index>(dice.index(used_));
-        // No node twice, as long as there are enough of them.
+        // An element names no node twice, if there are enough nodes.
         const bool may_repeat = has(Feature::repeated) && repeated.chance(4);
         for (std::size_t tries = 0; tries < used_ && !may_repeat; ++tries) {
           if (std::find(element.begin(), element.end(), node) == element.end()) break;
@@ -99,7 +99,7 @@ class Maker {
         }
         element.push_back(node);
       }
-      // The first one of a block names none, so that a type that is not written can be told from that.
+      // The first element of a block names no unknown node. So it shows whether the type is written at all.
       if (e > 0 && with_unknown && has(Feature::unknown_nodes) && unknown.chance(3))
         element[unknown.index(element.size())] = unknown_number(unknown);
       if (e > 0 && has(Feature::repeated) && repeated.chance(4))
@@ -109,7 +109,7 @@ class Maker {
     d_.blocks.push_back(block);
   }
 
-  // Numbers beyond those of all nodes.
+  // A number beyond those of all nodes.
   Index unknown_number(Dice& dice) {
     const std::int64_t number =
         (has(Feature::long_tags) ? std::int64_t{1} << 61 : std::int64_t{1} << 30) + dice.below(3);
@@ -119,7 +119,7 @@ class Maker {
     return -1 - static_cast<Index>(k);
   }
 
-  // Facets of a body to mesh; some of several polygons, edges and vertices, some with holes.
+  // Facets of a body to mesh. Some consist of several polygons, edges and vertices, some have holes.
   void boundary() {
     Dice dice = this->dice(Feature::boundary), several = this->dice(Feature::facets);
     constexpr int shapes[][3] = {{2, 2, 3}, {3, 2, 4}, {io::polygon, 2, 5}, {1, 1, 2}, {15, 0, 1}};

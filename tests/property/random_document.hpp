@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Documents with everything that a mesh file can say, drawn at random and small.
+// Small random documents with everything that a mesh file can say.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 
 namespace tetproof::test {
 
-/// What a random document may have besides a few tetrahedra with nodes. Each feature rolls dice of its own,
-/// so that leaving one out changes nothing else.
+/// Features of a random document, besides a few tetrahedra with nodes. Each feature has its own random
+/// numbers, so switching one off changes nothing else.
 enum class Feature {
   surface,           ///< triangles
   low_dimensions,    ///< lines and points
   quadrangles,       ///< and hexahedra, prisms, pyramids
   second_order,      ///< tetrahedra, triangles and lines
   all_types,         ///< any type with a fixed number of nodes
-  polygons,          ///< of five corners and more
-  repeated,          ///< elements that come twice, or name a node twice
-  no_tetrahedra,     ///< only what the features above bring
-  loose_nodes,       ///< that no element names
+  polygons,          ///< with five or more corners
+  repeated,          ///< elements that occur twice, or name a node twice
+  no_tetrahedra,     ///< only elements of the features above
+  loose_nodes,       ///< nodes that no element names
   unknown_nodes,     ///< numbers that no node has
-  wild_coordinates,  ///< any double but NaN: 17 digits, -0, subnormal, infinite
+  wild_coordinates,  ///< any double except NaN: 17 digits, -0, subnormal, infinite
   nan_coordinates,
   from_zero,  ///< numbered from 0
   node_tags,
   element_tags,
-  long_tags,  ///< beyond 32 bits
+  long_tags,  ///< numbers beyond 32 bits
   element_entities,
   node_entities,
   parameters,
   entities,  ///< with boxes and boundaries
   groups,
-  several_groups,  ///< of an element, some negative
+  several_groups,  ///< several groups of an element, some of them negative
   group_names,
   partitions,
   partitioned_entities,
@@ -43,15 +43,15 @@ enum class Feature {
   node_values,
   element_values,
   element_node_values,
-  subsets,        ///< values of some nodes or elements
-  unknown_at,     ///< and of some that do not exist
-  integers,       ///< as values
-  labels,         ///< of integers
+  subsets,        ///< values of only some nodes or elements
+  unknown_at,     ///< values of nodes or elements that do not exist
+  integers,       ///< integer values
+  labels,         ///< for integer values
   view_steps,     ///< values that are steps of a view
-  odd_names,      ///< of groups and values: quotes, blanks, anything but line ends
+  odd_names,      ///< names with quotes, blanks, anything except line ends
   tetgen_values,  ///< attributes and markers
   boundary,       ///< polygons of a body to mesh
-  facets,         ///< of several polygons, and with holes
+  facets,         ///< facets of several polygons, and with holes
   regions,        ///< and holes
   bounds,
   voronoi,
@@ -71,8 +71,8 @@ struct Recipe {
   friend std::ostream& operator<<(std::ostream& out, const Recipe& recipe);
 };
 
-/// The same document for the same recipe on every machine. Its nodes have different x, even in 32 bits.
-/// Numbers of nodes and elements are positive, those of entities and groups fit 32 bits.
+/// Gives the same document for the same recipe on every machine. All nodes have different x, even as 32-bit
+/// numbers. Numbers of nodes and elements are positive; numbers of entities and groups fit 32 bits.
 Document random_document(const Recipe& recipe);
 
 }  // namespace tetproof::test

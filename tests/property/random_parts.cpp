@@ -150,7 +150,7 @@ class Parts {
           for (std::size_t i = 0; i < count; ++i)
             if (part.chance(2)) values.at.push_back(static_cast<Index>(count - 1 - i));
           if (has(Feature::unknown_at) && lost.chance(2)) values.at.push_back(unknown_number(lost));
-          if (values.at.size() == count) values.at.pop_back();  // all would be no subset
+          if (values.at.size() == count) values.at.pop_back();  // a subset is never all of them
           if (values.at.empty()) values.at.push_back(0);
           items = values.at.size();
         }
@@ -203,7 +203,7 @@ class Parts {
     };
     add("attributes", 2, false, 0, d_.points.size(), d_.node_values);
     add("markers", 1, true, 0, d_.points.size(), d_.node_values);
-    // Of the runs of one dimension.
+    // For each run of elements of one dimension.
     for (std::size_t b = 0; b < d_.blocks.size();) {
       const ElementBlock& block = d_.blocks[b];
       std::size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a random document has besides nodes and elements.
+// The parts of a random document besides nodes and elements.
 #pragma once
 
 #include "random_document.hpp"

@@ -13,7 +13,7 @@ std::string kind_of(const Text& text) {
                                     : text.item.substr(0, quote) + text.item.substr(text.item.rfind('"'));
 }
 
-// Letters and digits, whatever else a format may have had to replace.
+// The letters and digits of a name. A format may have replaced any other character.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text)
@@ -21,7 +21,7 @@ std::string plain(const std::string& text) {
   return out;
 }
 
-// The name, or where another one has it "name #2".
+// Whether the names are equal, or the second one is "name #2" because the name was taken.
 bool same_name(const std::string& was, const std::string& is) {
   const std::size_t mark = is.rfind(" #");
   return plain(was) == plain(is) || (mark != std::string::npos && plain(was) == plain(is.substr(0, mark)));
@@ -73,7 +73,7 @@ std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
     if (found == to) return std::nullopt;
     left.erase(found);
   }
-  if (was.lines.empty() && !left.empty()) return std::nullopt;  // there were no values
+  if (was.lines.empty() && !left.empty()) return std::nullopt;  // no values to compare with
   std::vector<std::string> without;
   for (const auto& [of, line] : left) {
     const bool known =

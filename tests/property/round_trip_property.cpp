@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever a document holds, what comes back of it from a file lacks exactly what the list of losses says.
+// Whatever a document holds: what a file of any format does not give back is exactly what the list of losses
+// says.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -28,7 +29,7 @@ void PrintTo(const Recipe& recipe, std::ostream* out) {
 
 namespace {
 
-// A way to write a document.
+// A format and an encoding to write a document in.
 struct Target {
   std::string name, file;
   WriteOptions options;
@@ -53,7 +54,7 @@ std::vector<Target> all_targets() {
   return targets;
 }
 
-// Most features are off: a failure has few to begin with, and RapidCheck takes those away that it can.
+// Most features are off, so a failure has few from the start. RapidCheck removes those that it can.
 rc::Gen<Recipe> any_recipe() {
   return rc::gen::map(rc::gen::tuple(rc::gen::inRange<std::uint64_t>(0, 1u << 20), rc::gen::inRange(0, 14),
                                      rc::gen::container<std::array<int, features>>(rc::gen::inRange(0, 12)),
@@ -66,8 +67,7 @@ rc::Gen<Recipe> any_recipe() {
                       });
 }
 
-// STL's nodes are nothing but their coordinates, of which NaN is none: what comes back of it is not a node
-// any more.
+// STL's nodes are only coordinates, so a node with NaN cannot be recognised when it comes back.
 void leave_out_what_has_no_identity(Recipe& recipe, const Target& target) {
   if (target.options.format != "stl") return;
   recipe.with[static_cast<std::size_t>(Feature::nan_coordinates)] = false;
@@ -75,8 +75,8 @@ void leave_out_what_has_no_identity(Recipe& recipe, const Target& target) {
 
 using Counts = std::map<std::string, std::int64_t>;
 
-// Whether a loss names as its example one of those that the judge saw: "element 17 in groups 3" is of
-// "element 17", and not of "element 1".
+// Whether the example of a loss is one of the subjects that the judge saw. "element 17 in groups 3" belongs
+// to "element 17", and not to "element 1".
 bool names_one_of(const std::string& example, const std::vector<std::string>& subjects) {
   return std::any_of(subjects.begin(), subjects.end(), [&](const std::string& subject) {
     const std::size_t at = example.find(subject), end = at + subject.size();
@@ -87,7 +87,7 @@ bool names_one_of(const std::string& example, const std::vector<std::string>& su
 
 enum class Said { exactly, at_most };
 
-// The list of losses against the judge; empty if they agree.
+// The disagreement between the list of losses and the judge; empty if they agree.
 std::string disagreement(const std::vector<Loss>& losses, const std::vector<Difference>& differences,
                          Said how = Said::exactly) {
   Counts said, seen;
@@ -139,19 +139,19 @@ Document there_and_back(Folder& folder, const Document& document, const Target& 
   return back;
 }
 
-// A .smesh is refused to facets of several polygons.
+// A .smesh cannot hold facets of several polygons; writing it is refused.
 bool has_place(const Target& target, const Document& document) {
   return target.options.format != "smesh" || document.facets.empty();
 }
 
-// What these have no place for is kept aside.
+// Whether the format keeps aside what it has no place for.
 bool has_supplement(const Target& target) {
   const std::string& format = target.options.format;
   return format.starts_with("msh") || format == "tetgen" || format == "poly" || format == "smesh";
 }
 
-// Elements may name any number in those, and in Medit's files, where nodes are 1, 2, ... or lose their
-// numbers; in others they name the place of a node.
+// In formats with a supplement elements may name any number, and also in Medit files if nodes are 1, 2, ...
+// In other formats elements name nodes by position.
 Holding holding(const Target& target, const Document& document) {
   const std::string& format = target.options.format;
   if (format == "stl") return Holding::triangles;
@@ -173,7 +173,7 @@ TEST_P(RoundTrip, LosesWhatItSays) {
     if (!has_place(target, document)) return;
     const std::vector<Loss> said = losses(target.file, document, target.options);
     const Document back = there_and_back(folder, document, target);
-    if (!back.dropped.empty())  // our readers take all that our writers write
+    if (!back.dropped.empty())  // our readers accept everything that our writers write
       RC_FAIL(
           fmt::format("{}: not read: {}: {}", target.name, back.dropped[0].item, back.dropped[0].example));
     const std::string wrong = disagreement(said, differences(document, back, holding(target, document)));
@@ -184,8 +184,8 @@ TEST_P(RoundTrip, LosesWhatItSays) {
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::ValuesIn(all_targets()),
                          [](const auto& test) { return test.param.name; });
 
-// What is kept aside stands in a section at the end of a .msh file, and in comments of TetGen's. Cuts it off
-// every file in the folder; says whether there was any.
+// What is kept aside is in a section at the end of a .msh file, and in comments of TetGen's files. Cuts it
+// off every file in the folder; returns whether there was any.
 bool cut_supplements(const std::filesystem::path& folder) {
   bool any = false;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -205,8 +205,8 @@ bool cut_supplements(const std::filesystem::path& folder) {
   return any;
 }
 
-// What a writer adds so that other programs see more of what they have no place for: entities, which are the
-// only way to a group or a partition in a .msh 4, and TetGen's attributes and markers for groups.
+// Whether it is something that a writer adds for other programs: entities, without which .msh 4 has no groups
+// and partitions; TetGen's attributes and markers instead of groups.
 bool is_for_others(const std::string& item, const Target& target, const std::vector<Loss>& said) {
   if (target.options.format.starts_with("msh")) return item == "gained entities";
   return (item == "gained values \"attributes\" of elements" ||
@@ -217,8 +217,8 @@ bool is_for_others(const std::string& item, const Target& target, const std::vec
 
 class KeptAsideProperty : public testing::TestWithParam<Target> {};
 
-// Without it nothing is missing that is not said to be kept aside. Less may be: it is kept whole where the
-// file has only some of it, of entities for one.
+// Without the supplement, everything that is missing is listed as kept aside. Less may be missing, because
+// parts such as entities are kept aside whole if the file has only some of them.
 TEST_P(KeptAsideProperty, IsWhatOthersDoNotSee) {
   const Target& target = GetParam();
   Folder folder;
@@ -250,7 +250,7 @@ std::vector<Target> targets_with_supplements() {
 INSTANTIATE_TEST_SUITE_P(Formats, KeptAsideProperty, testing::ValuesIn(targets_with_supplements()),
                          [](const auto& test) { return test.param.name; });
 
-// A -> B -> A: what the first A left is there again, but for what was said on the way.
+// A -> B -> A: everything in the first A comes back, except for the losses that were listed on the way.
 TEST(RoundTrips, AllPairs) {
   const std::vector<Target> targets = all_targets();
   Folder folder;
@@ -272,13 +272,13 @@ TEST(RoundTrips, AllPairs) {
     wrong = disagreement(more, differences(second, third, holding(a, second)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
     said.insert(said.end(), more.begin(), more.end());
-    // An entity that all nodes have is no loss, and may come back as another number.
+    // An entity of all nodes is not a loss, and may come back with another number.
     const bool one_entity = first.node_blocks.size() == 1;
-    // Entities of elements that the one loses are there again in the other as entity 1.
+    // Entities of elements that one format loses come back from the other one as entity 1.
     const auto tells = [](const Loss& loss, const Difference& d) {
       return loss.item == d.item || (loss.item == "entities of elements" && d.item == "numbers of entities");
     };
-    // Numbers that only count up from 0 or 1 say nothing, and what remained of others may be among them.
+    // Numbers that only count up from 0 or 1 tell nothing, but others may have become such numbers.
     const auto plain = [](const Document& d) {
       return d.element_tags.empty() && (d.first_element == 0 || d.first_element == 1);
     };

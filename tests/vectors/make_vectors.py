@@ -12,6 +12,7 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 import curvature_cases  # noqa: E402
 import equation_cases  # noqa: E402
+import table3_cases  # noqa: E402
 import table4_cases  # noqa: E402
 import table_cases  # noqa: E402
 
@@ -21,7 +22,7 @@ FILES = {
                table_cases.TABLE1_FLAGS, table_cases.table1, []),
     "table2": ("Table 2: the tetrahedra that come out of a lattice tetrahedron", table_cases.TABLE2_FLAGS, table_cases.table2, ["row"]),
     "table3": ("Table 3: indicators and cuts of a lattice cell whose edges meet the surface several times",
-               table_cases.TABLE3_FLAGS, table_cases.table3, ["applied"]),
+               table3_cases.FLAGS, table3_cases.table3, ["applied"]),
     "table4": ("Table 4: where a tetrahedron gets its new point, and its pieces", table4_cases.FLAGS, table4_cases.table4, ["row"]),
     "volume_law": ("Eq. (3.1): the volume that a tetrahedron at a distance should have", equation_cases.VOLUME_LAW_FLAGS,
                    equation_cases.volume_law, []),

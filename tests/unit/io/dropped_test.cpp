@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of Medit's, Gmsh's and TetGen's files drop, kind by kind. VTK's: vtk/vtk_dropped_test.cpp.
+// What the readers of Medit, Gmsh and TetGen files drop, kind by kind. For VTK see vtk/vtk_dropped_test.cpp.
 #include <bit>
 #include <cstdint>
 
@@ -24,7 +24,7 @@ const std::string mesh =
     "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra 1\n1 2 "
     "3 4 7\n";
 
-// Vertices, and a keyword with these bytes behind it, of which `next` says that there are so many more.
+// A .meshb with one vertex and the keyword `code`, whose data are these numbers.
 std::string meshb(int code, const std::vector<std::int32_t>& numbers,
                   const std::string& behind_the_end = "") {
   std::string bytes;
@@ -76,7 +76,7 @@ std::string elements22(const std::string& lines, int count = 1) {
   return fmt::format("$Elements\n{}\n{}$EndElements\n", count, lines);
 }
 
-// So many elements that several threads read them.
+// Enough elements to be read by several threads.
 std::string many_elements22(const char* tags) {
   std::string lines;
   for (int e = 1; e <= 3000; ++e) lines += fmt::format("{} 4 {} 1 2 3 4\n", e, tags);
@@ -168,7 +168,7 @@ const std::vector<Case> of_tetgen{
 
 INSTANTIATE_TEST_SUITE_P(Tetgen, Dropped, testing::ValuesIn(of_tetgen), name_of);
 
-// Pentahedra are another name of prisms, and so nothing is dropped.
+// "Pentahedra" is another name of prisms, so nothing is dropped.
 TEST(DroppedByMedit, NothingOfPentahedra) {
   const test::TestFiles files;
   const Document document = read_document(files.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary .msh of both byte orders, put together here byte by byte.
+// Binary .msh in both byte orders, built here byte by byte.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,8 @@ TEST_P(BinaryMsh, Version41) {
       "N 2/2 1: 5e-324 17.000000000000004\nN 3/1 4: \ne 9 4 3/1 g7,-8 p: 1 2 3 4\n"
       "e 10 4 3/1 g7,-8 p: 1 2 3 1099511627776\ne 11 2 2/2 g p: 1 2 ?77\n"
       "v nodes T 1 at 2: 0.5\n");
-  // Written again in this machine's order: the same content, and in that order the very same bytes.
+  // Writing uses this machine's byte order. The content is the same; if that is the file's order, so are the
+  // bytes.
   write_document(files.path("b.msh"), document, {.binary = true});
   EXPECT_EQ(test::text_of(read_document(files.path("b.msh"))), test::text_of(document));
   if (!GetParam()) {
@@ -97,7 +98,7 @@ TEST_P(BinaryMsh, Version22) {
             "e 5 15 0/0 g3 p: 10\n");
 }
 
-TEST_P(BinaryMsh, Version22WithoutLineEndsBeforeTheEnds) {  // as some writers leave it
+TEST_P(BinaryMsh, Version22WithoutLineEndsBeforeTheEnds) {  // as some programs write it
   Bytes bytes(GetParam());
   bytes.text("$MeshFormat\n2.2 1 8\n")
       .ints({1})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mesh formats' grammars do not permit: the whole text of each message.
+// Files that break the grammar of a mesh format: the whole text of each message.
 #include <gtest/gtest.h>
 
 #include <ostream>

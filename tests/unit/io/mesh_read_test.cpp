@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every corner of the mesh formats' text grammars, in files written by hand, against what they say.
+// Every construct of the mesh formats' text grammars, in files written by hand.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -243,7 +243,7 @@ const std::vector<Case> cases{
      {{"a.node",
        "10 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 .5 0 0\n5 .5 .5 0\n6 0 .5 0\n7 0 0 .5\n8 0 .5 .5\n9 .5 0 "
        ".5\n"},
-      // TetGen's mid-edge nodes stand on 23, 03, 01, 12, 13, 02; Gmsh's on 01, 12, 02, 03, 23, 13.
+      // TetGen's mid-edge nodes are on the edges 23, 03, 01, 12, 13, 02, Gmsh's on 01, 12, 02, 03, 23, 13.
       {"a.ele", "1 10\n0 0 1 2 3 8 7 4 5 9 6\n"}},
      "tetgen\nn 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\nn 3 0 0 1\nn 4 0.5 0 0\nn 5 0.5 0.5 0\nn 6 0 0.5 0\nn 7 0 0 "
      "0.5\n"

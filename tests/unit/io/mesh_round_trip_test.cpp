@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random meshes through every pair of formats that holds doubles: what comes back is what went in, bit by
-// bit.
+// Random meshes through every pair of formats that hold doubles: the result equals the input, bit by bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -32,7 +31,7 @@ const std::vector<Target> targets{{"Msh41Text", "x.msh", {}},
                                   {"Msh22Binary", "x.msh", {.format = "msh22", .binary = true}},
                                   {"Tetgen", "x.node", {}}};
 
-// Any bits at all but for NaN, whose bits no text keeps.
+// Any bits except NaN, whose bits no text keeps.
 double any_double(std::mt19937_64& random) {
   for (;;) {
     const double value = std::bit_cast<double>(random());
@@ -95,7 +94,7 @@ TEST_P(RoundTrip, IsTheIdentity) {
     write_document(files.path(second.file), middle, second.options);
     const Document end = read_document(files.path(second.file));
     expect_same(tet_mesh(start), tet_mesh(end), numbering(start), numbering(end));
-    // And once more: what was written, read and written again is the same file.
+    // Writing what was read gives the same file again.
     const std::string bytes = test::TestFiles::read(files.path(second.file));
     write_document(files.path(second.file), end, second.options);
     EXPECT_EQ(test::TestFiles::read(files.path(second.file)), bytes);
@@ -110,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(AllPairs, RoundTrip,
                                   targets[std::get<1>(test.param)].name;
                          });
 
-// A document with all that 4.1 holds, in both encodings.
+// Documents with everything that .msh 4.1 holds, as text and as binary.
 TEST(RoundTrip, RandomDocumentsThrough41) {
   const test::TestFiles files;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -195,7 +194,7 @@ TEST(RoundTrip, SurfacesThroughMsh) {
       }
 }
 
-// The same bytes for any number of threads, and the fast paths for numbers agree with the slow one.
+// The bytes are the same for any number of threads, and the fast paths for numbers agree with the slow one.
 TEST(RoundTrip, NumbersReadFastAsSlow) {
   std::mt19937_64 random(9);
   std::vector<std::string> words{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes that other programs wrote: read to the counts that are known of them, or refused with a place.
+// Meshes that other programs wrote: they are read with the known counts, or refused with a place.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ const std::filesystem::path formats_folder =
 
 struct Sample {
   const char* file;
-  int nodes, elements, tets;  // counted by Gmsh (gmsh FILE -0) or TetGen, or in the file's own header lines
+  int nodes, elements, tets;  // counted by Gmsh (gmsh FILE -0) or TetGen, or from the file's header lines
 
   friend void PrintTo(const Sample& test, std::ostream* out) { *out << test.file; }
 };
@@ -59,7 +59,7 @@ const std::vector<Sample> samples{
     {"gmsh_src/hybrid_part.msh", 426, 854, 0},
     {"gmsh_src/multimodel1.msh", 4, 1, 0},
     {"gmsh_src/multimodel23.msh", 6, 2, 0},
-    {"gmsh_src/partitions.msh", 133, 264, 0},  // the file itself
+    {"gmsh_src/partitions.msh", 133, 264, 0},  // counts of the file itself
     {"gmsh_src/surf.msh", 84, 178, 0},
     {"gmsh_src/takeit_sur.msh", 937, 1874, 0},
     {"gmsh_src/view5.msh", 6, 2, 0},
@@ -137,8 +137,7 @@ TEST(MeshSamples, NoneIsForgotten) {
   }
 }
 
-// The files that Gmsh wrote of one mesh in several versions and encodings say the same; but its text rounds
-// coordinates to 16 digits.
+// Gmsh wrote the same mesh in several versions and encodings. Its text rounds coordinates to 16 digits.
 TEST(MeshSamples, OneMeshInSeveralEncodings) {
   if (!std::filesystem::exists(formats_folder)) GTEST_SKIP() << formats_folder << " is not here";
   for (const auto& [a, b] : {std::pair{"gmsh484_out/two22.msh", "gmsh484_out/two22b.msh"},
@@ -153,7 +152,7 @@ TEST(MeshSamples, OneMeshInSeveralEncodings) {
     for (std::size_t i = 0; i < first.points.size(); ++i)
       EXPECT_LE((first.points[i] - second.points[i]).norm(), 1e-15 * first.points[i].norm()) << a << " " << i;
     second.points = first.points;
-    // What only one of the versions holds, or holds in another order.
+    // The parts that only one version holds, or that it holds in another order.
     if (first.format == "msh1") first.node_tags.clear(), second.node_tags.clear(), second.group_names.clear();
     EXPECT_TRUE(test::text_of(first, first.format == second.format) ==
                 test::text_of(second, first.format == second.format))
@@ -162,7 +161,7 @@ TEST(MeshSamples, OneMeshInSeveralEncodings) {
   }
 }
 
-// Second-order nodes stand in the middle of their edges, whatever program ordered them.
+// Second-order nodes are at the midpoints of their edges, no matter which program ordered them.
 TEST(MeshSamples, MidEdgeNodesStandBetweenTheirCorners) {
   if (!std::filesystem::exists(formats_folder)) GTEST_SKIP() << formats_folder << " is not here";
   static constexpr int edges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};  // Gmsh's order

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PlannedFile: its answers are those of the functions that answer one question each, and it works each of
-// them out once. The linker counts: tests/unit/io/CMakeLists.txt wraps the functions below.
+// PlannedFile gives the same answers as the functions that answer one question each, and computes each answer
+// once. The linker counts the calls: tests/unit/io/CMakeLists.txt wraps the functions below.
 #include "io/writing.hpp"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ Calls calls;
 
 }  // namespace
 
-// Every call from one of the library's object files to another goes to __wrap_NAME, and __real_NAME is the
-// library's function. The names are those of the linker.
+// Calls between the library's object files go to __wrap_NAME; __real_NAME is the library's function. These
+// are the names that the linker sees.
 #define TETPROOF_ENCODING_OF \
   "_ZN8tetproof11encoding_ofERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKNS_12WriteOptionsE"
 #define TETPROOF_MESH_PLAN "_ZN8tetproof2io16tetgen_mesh_planERKNS_8DocumentE"
@@ -70,7 +70,7 @@ std::string counted_supplement(const Document& document, const io::Holds& holds)
 
 namespace {
 
-// Groups with names, which TetGen's files keep aside and surfaces lose; a value -inf, of which .vtu warns.
+// Named groups, which TetGen's files keep aside and surfaces lose; and a value -inf, which makes .vtu warn.
 constexpr const char* mesh =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 3 \"wall\"\n3 5 \"air\"\n$EndPhysicalNames\n"
     "$Entities\n0 0 1 1\n1 0 0 0 1 1 1 1 3 0\n1 0 0 0 1 1 1 1 5 0\n$EndEntities\n"
@@ -95,7 +95,7 @@ TEST_F(Writing, WorksEachAnswerOutOnce) {
   file.write();
   const Calls once{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1, .supplement = 1};
   EXPECT_EQ(calls, once);
-  // Nor when they are asked for again.
+  // Asking again computes nothing.
   EXPECT_EQ(file.encoding().format, "tetgen");
   EXPECT_TRUE(file.losses().empty());
   EXPECT_EQ(file.kept_aside().where, "comments");
@@ -109,7 +109,7 @@ TEST_F(Writing, WritesUnasked) {
   EXPECT_EQ(calls, (Calls{.encoding = 1, .plan = 1, .holds = 1, .unheld = 1, .supplement = 1}));
 }
 
-// Functions for one question each start anew: what the counts above are to be compared with.
+// Functions that answer one question each start anew. The counts above are compared with these.
 TEST_F(Writing, FunctionsForOneQuestionStartAnew) {
   calls = {};
   const std::string path = files_.path("a.ele");
@@ -147,7 +147,7 @@ TEST_F(Writing, AnswersAreThoseOfTheFunctions) {
       EXPECT_EQ(test::TestFiles::read(one), test::TestFiles::read(other)) << ending;
       EXPECT_FALSE(test::TestFiles::read(one).empty()) << ending;
     }
-  EXPECT_TRUE(lost && kept && warned);  // or nothing was compared
+  EXPECT_TRUE(lost && kept && warned);  // otherwise nothing was compared
 }
 
 TEST_F(Writing, RefusesBeforeAnythingIsAsked) {
@@ -157,7 +157,7 @@ TEST_F(Writing, RefusesBeforeAnythingIsAsked) {
   EXPECT_FALSE(std::filesystem::exists("a.off"));
 }
 
-// A temporary document would be gone before the file is written.
+// A temporary document would be destroyed before the file is written.
 static_assert(!std::is_constructible_v<PlannedFile, std::string, Document>);
 static_assert(std::is_constructible_v<PlannedFile, std::string, const Document&>);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The register of readings names tests and functions: they exist.
+// The tests and functions that the register of readings names exist.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reduced surface is a surface: closed, of the same topology, free of self-intersections, close to the
-// one it came from.
+// A reduced surface is closed, has the same topology, does not intersect itself, and is close to the
+// original.
 #include "reference/reduce.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::array<Eigen::Vector3d, 3> corners(const TriangleSurface& surface, const std
   return {surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]};
 }
 
-// The largest distance of a vertex of `from` to the triangles of `to`.
+// The largest distance from a vertex of `from` to the triangles of `to`.
 double distance(const TriangleSurface& from, const TriangleSurface& to) {
   double largest = 0;
   for (const Eigen::Vector3d& p : from.vertices) {
@@ -81,7 +81,7 @@ TEST(ReductionOfFiles, KeepsClosednessAndTopology) {
   struct File {
     const char* name;
     int wanted;
-    std::size_t expected;  // at least: fewer are not possible without an intersection
+    std::size_t expected;  // more than wanted if fewer would make an intersection
   };
   for (const File& file : {File{"spot.obj", 600, 600}, File{"plate_holes.STL", 300, 300},
                            File{"hull-body.obj", 500, 500}, File{"Cray_left.obj", 100, 576}}) {
@@ -104,7 +104,7 @@ TEST(Reduce, ComesCloserWithMoreTriangles) {
       EXPECT_LE(static_cast<int>(reduced.triangles.size()), wanted);
       EXPECT_GE(static_cast<int>(reduced.triangles.size()), wanted - 1);
       const double off = std::max(distance(whole, reduced), distance(reduced, whole));
-      EXPECT_LT(off, 0.5 * before) << spec << " " << wanted;  // a fourth, to be expected
+      EXPECT_LT(off, 0.5 * before) << spec << " " << wanted;  // a quarter is to be expected
       before = off;
     }
     EXPECT_LT(before, 0.02) << spec;
@@ -131,7 +131,7 @@ TEST(Reduce, MoreThanPresentIsUnchanged) {
   EXPECT_EQ(fewer.triangles.size() + 2, whole.triangles.size());
   EXPECT_TRUE(fewer.parameters.empty());
   EXPECT_FALSE(fewer.evaluate);
-  // One collapse: all vertices but two are still where they were, to the bit.
+  // This is one collapse: all other vertices keep their coordinates, bit by bit.
   std::size_t kept = 0;
   for (const Eigen::Vector3d& p : fewer.vertices)
     kept += std::count(whole.vertices.begin(), whole.vertices.end(), p);

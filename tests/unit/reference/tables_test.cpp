@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables 1, 2 and 3 against rational arithmetic and hand-made truths.
+// Tables 1, 2 and 3 against rational arithmetic and facts known by hand.
 #include "reference/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -19,11 +19,11 @@ using exact_mesh::Rational;
 
 constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-// A lattice tetrahedron and a plane: vertex i has the value f[i], 0 on the plane, and p_ij lies where the
-// value is 0.
+// A lattice tetrahedron cut by a plane. A linear function has the value f[i] at vertex i and is 0 on the
+// plane; p_ij is its zero on an edge.
 struct CutTetrahedron {
   std::array<Point, 11> place;
-  Rational volume6, inside6;  // of the whole and of the part where the value is positive
+  Rational volume6, inside6;  // of the whole tetrahedron and of the part where the function is positive
 };
 
 CutTetrahedron cut_by_plane(const std::array<std::int8_t, 4>& indicators, std::mt19937_64& random) {
@@ -54,8 +54,8 @@ CutTetrahedron cut_by_plane(const std::array<std::int8_t, 4>& indicators, std::m
     cut.place[c][x] = 0;
     for (const RowPoint p : {v1, v2, v3, p14, p24, p34}) cut.place[c][x] += cut.place[p][x] / 6;
   }
-  // The part of a simplex where a linear function is positive: V * sum of f_i^3 / prod (f_i - f_j) over the
-  // positive vertices.
+  // The volume of the part of a simplex where a linear function is positive is V * sum of f_i^3 / prod (f_i -
+  // f_j) over the positive vertices.
   cut.inside6 = 0;
   for (int i = 0; i < 4; ++i) {
     if (f[i] <= 0) continue;
@@ -95,10 +95,10 @@ TEST_P(Table2, TilesExactlyTheInsidePart) {
         EXPECT_EQ(++faces[face], 1) << row.name << ": a face is induced twice alike";
       }
     }
-    // Case 5 has no positive vertex; it is kept whole or not at all (reading D10).
+    // Case 5 has no positive vertex. It is kept as a whole or not at all (reading D10).
     EXPECT_EQ(sum, row.name == "5" ? cut.volume6 : cut.inside6) << row.name;
-    // Unmatched faces lie on the lattice tetrahedron's faces or on the surface: they name no centroid, and
-    // all lie in one of those planes.
+    // Unmatched faces lie on a face of the lattice tetrahedron or on the surface: all their points are in
+    // that plane, and none is the centroid.
     for (const auto& [face, count] : faces) {
       if (faces.contains({face[0], face[2], face[1]})) continue;
       const auto on_lattice_face = [&](int opposite) {
@@ -146,7 +146,7 @@ TEST(Table1, HasEveryMultisetOfIndicatorsOnce) {
 }
 
 TEST(Table2Errata, NegativeAsListed) {
-  // Reading E7, in the paper's own naming.
+  // Reading E7. The names are those of the paper.
   const std::set<std::string> expected{"10a.3", "10b.3", "10d.3", "10c.1",
                                        "10c.3", "12a.2", "12e.2", "12f.2"};
   std::set<std::string> found;
@@ -157,8 +157,8 @@ TEST(Table2Errata, NegativeAsListed) {
   EXPECT_EQ(found, expected);
 }
 
-// Sorting, all 81 kinds of tetrahedra: descending, ties in place, the sign of the permutation, and the case
-// with these indicators.
+// Sorting all 81 kinds of tetrahedra: indicators descend, equal ones keep their order, the sign of the
+// permutation is right, and the case has these indicators.
 TEST(SortVertices, All81) {
   for (int code = 0; code < 81; ++code) {
     std::array<std::int8_t, 4> s;

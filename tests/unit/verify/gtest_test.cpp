@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The matchers for users' tests: they match what is right, fail on what is not, and the failure says where.
+// The matchers for users' tests: they match what is right and fail on what is wrong, and the failure message
+// says where.
 #include "verify/gtest.hpp"
 
 #include <gtest/gtest-spi.h>
@@ -21,7 +22,7 @@ using verify::Fills;
 using verify::IsCertified;
 using verify::IsSound;
 
-// What EXPECT_THAT would add to "Actual: ...".
+// The text that EXPECT_THAT adds to "Actual: ...".
 template <class Matcher, class Value>
 std::string explained(const Matcher& matcher, const Value& value, bool expected) {
   testing::StringMatchResultListener listener;
@@ -35,7 +36,7 @@ TetMesh inverted(std::size_t tet) {
   return mesh;
 }
 
-// A mesh, and what is no mesh, as files that are gone with it.
+// A file with a mesh and one without, both removed at the end.
 class Files {
  public:
   Files() {
@@ -61,7 +62,7 @@ TEST(Matchers, TakeWhatIsRight) {
   EXPECT_THAT(mesh, IsSound({.strict_topology = true}));
   EXPECT_THAT(mesh, Fills(boundary_surface(mesh), 0));
   EXPECT_THAT(mesh, AllOf(IsCertified(), Fills(boundary_surface(mesh), {.fidelity = 1e-3, .voxels = 0})));
-  // A shell of cells around a hole fills the outside of the hole's surface.
+  // A shell of cells around a hole. The mesh fills the outside of the hole's surface.
   const auto around = [](Cell c) { return c != Cell{1, 1, 1}; };
   const TriangleSurface hole = boundary_surface(lattice_mesh({1, 1, 1}, {}, {1, 1, 1}));
   EXPECT_THAT(lattice_mesh({3, 3, 3}, around),
@@ -74,7 +75,7 @@ TEST(Matchers, TakeFilesByPathAndByName) {
   EXPECT_THAT(files.mesh("sound.msh"), Fills(files.mesh("cube.off"), 0));
   EXPECT_THAT(files.mesh("sound.msh").c_str(), IsCertified());
   EXPECT_THAT(files.mesh("bad.msh"), Not(IsSound()));
-  // The file counts from 1.
+  // The file numbers its tetrahedra from 1.
   EXPECT_THAT(explained(IsSound(), files.mesh("bad.msh"), false), HasSubstr("  tetrahedron 4: negative"));
 }
 
@@ -120,7 +121,7 @@ TEST(Matchers, CertifiedNeedsEveryCheckOfTheProof) {
   EXPECT_THAT(explained(IsSound({.skip = {"overlap"}}), mesh, true),
               HasSubstr("no certificate, a check that it needs was skipped"));
   EXPECT_THAT(inverted(3), Not(IsCertified()));
-  // What was not asked cannot fail, and proves nothing.
+  // A check that was not asked for cannot fail, and proves nothing.
   EXPECT_THAT(inverted(3), IsSound({.check = {"duplicate-point"}}));
 }
 
@@ -135,7 +136,7 @@ TEST(Matchers, FillsTellsWhatIsMissing) {
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(less, Fills(surface, 1e-3)),
                           "Expected: is a sound tetrahedral mesh that fills the inside of a surface of 48 "
                           "triangles within 0.001");
-  // One cell too few is less than half the diagonal.
+  // The gap that one cell leaves is smaller than half the diagonal.
   EXPECT_THAT(less, Fills(surface, {.fidelity = 0.5, .voxels = 0}));
 }
 

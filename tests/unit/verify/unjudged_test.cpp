@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing is passed over in silence: elements that are no tetrahedra, elements that were not read, and checks
-// that could not run keep a mesh from being sound.
+// Nothing is left out silently: a mesh is not sound if it has elements other than tetrahedra, if elements
+// were not read, or if a check could not run.
 #include <gmock/gmock.h>
 #include <gtest/gtest-spi.h>
 
@@ -50,7 +50,7 @@ Document block() {
 TEST(Unjudged, ADocumentOfTetrahedraIsJudgedWhole) {
   Document document = block();
   EXPECT_TRUE(sound(judged(document)));
-  // The faces and edges of a mesh are no part of its volume, and attributes don't touch the verdict.
+  // Faces and edges are not part of the volume, and attributes do not change the verdict.
   add_elements(document, 2, 2, 3, 4);
   add_elements(document, 1, 1, 2, 4);
   document.dropped.push_back({"values called \"stress\"", 27, "line 3"});
@@ -79,7 +79,7 @@ TEST(Unjudged, CellsOfOtherShapes) {
   EXPECT_EQ(report.not_judged[2].what, "pyramids");
   EXPECT_EQ(report.not_judged[2].count, 3);
   EXPECT_EQ(report.not_judged[3].what, "polyhedra");
-  // Their points are not unused. Those in the middle of the edges of a hexahedron are no points of the mesh.
+  // Their points count as used. The points in the middle of a hexahedron's edges do not belong to the mesh.
   EXPECT_EQ(report.mesh.points, 27 + 16 + 4 + 8 + 6 + 15 + 9);
   EXPECT_EQ(report[Check::unused_point].count, 0);
   EXPECT_EQ(report[Check::unused_point].verdict, Verdict::pass);

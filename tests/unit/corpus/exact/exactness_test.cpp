@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes the generators the same on every machine: own sine and cosine, an engine that the standard pins;
-// and coordinates known by hand.
+// Why the generators give the same on every machine: their own sine and cosine, and a random engine that the
+// standard defines. Also coordinates known by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(Turns, ExactAtQuartersAndOddAndPeriodic) {
     EXPECT_EQ(cos_sin_turns(t).sin, cos_sin_turns(t - 7).sin);
     EXPECT_EQ(cos_sin_turns(t).sin, -cos_sin_turns(-t).sin);
     EXPECT_EQ(cos_sin_turns(t).cos, cos_sin_turns(-t).cos);
-    // At odd eighths one of the two is computed as a cosine, the other as a sine.
+    // At odd multiples of 1/8 one of the two is computed as a cosine, the other one as a sine.
     if (i % 256 != 128) {
       EXPECT_EQ(cos_sin_turns(t + 0.25).cos, -cos_sin_turns(t).sin);
     }
@@ -109,7 +109,7 @@ TEST(RandomStar, RadiusStaysWithinItsBounds) {
     }
     EXPECT_GE(least, 3 * (1 - roughness) * (1 - 1e-15));
     EXPECT_LE(most, 3 * (1 + roughness) * (1 + 1e-15));
-    EXPECT_GT(most - least, 0.5 * roughness);  // and it is rough
+    EXPECT_GT(most - least, 0.5 * roughness);  // the surface is rough indeed
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The brute force that decides what is true of a planted mesh, on pairs of tetrahedra whose answer a drawing
-// gives.
+// The brute-force test that decides what is true of a mesh with planted defects, on pairs of tetrahedra whose
+// answer can be seen from a drawing.
 #include "corpus/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using corpus::Truth;
 using corpus::truth;
 using Points = std::vector<Eigen::Vector3d>;
 
-// Corners of a cube's corner: 0 at the origin, 1 to 3 at distance 4 on the axes.
+// A corner of a cube: vertex 0 is the origin, vertices 1 to 3 are on the axes at distance 4.
 TetMesh corner(const Points& more, const std::vector<std::array<Index, 4>>& tets) {
   TetMesh mesh{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 1, 2, 3}}};
   mesh.points.insert(mesh.points.end(), more.begin(), more.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every generated surface is what it promises: closed, manifold, outward, embedded, of known topology and
-// volume.
+// Every generated surface keeps its promise: it is closed, manifold, oriented outward and embedded, and its
+// topology and volume are known.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -28,7 +28,7 @@ const Case cases[] = {
     {"sphere", 5000, 2, 1},
     {"sphere:n=8", 8, 2, 1},
     {"sphere:n=20", 8, 2, 1},
-    {"sphere:n=21", 32, 2, 1},  // the middle between 8 and 32
+    {"sphere:n=21", 32, 2, 1},  // half way between 8 and 32
     {"sphere:r=1e-9,n=200,x=1e-3", 200, 2, 1},
     {"sphere:r=1e9,n=32,z=-1e12", 32, 2, 1},
     {"torus", 4992, 0, 1},
@@ -53,7 +53,7 @@ const Case cases[] = {
     {"box", 12, 2, 1},
     {"box:n=7,x0=-1,x1=1e-3", 588, 2, 1},
     {"groove", 472, 2,
-     1},  // 2 (6 * 36 + 2 * 2 * 6 - 2 * 2 * 1): the groove's walls, less where it opens at both ends
+     1},  // 2 (6 * 36 + 2 * 2 * 6 - 2 * 2 * 1): the groove's walls are added, its two open ends subtracted
     {"groove:m=3,width=1,depth=1,n=2", 464, 2, 1},
     {"hollow", 120, 4, 2},
     {"hollow:wall=1e-6,h=0.125", 120, 4, 2},
@@ -77,7 +77,7 @@ TEST_P(Generated, IsClosedManifoldOutwardAndEmbedded) {
 
   const verify::SurfaceReport report = verify::judge_surface(surface);
   EXPECT_EQ(report.fault, "");
-  EXPECT_TRUE(report.notes.empty());  // no shell the wrong way round
+  EXPECT_TRUE(report.notes.empty());  // no shell has the wrong orientation
   EXPECT_EQ(report.components.size(), static_cast<std::size_t>(c.components));
 }
 
@@ -96,7 +96,7 @@ TEST_P(Generated, VerticesAreWhatTheParametersGive) {
     }
 }
 
-// The middle of an edge in (u,v) is not far from its middle in space: no corner is on the wrong side of a
+// The midpoint of an edge in (u,v) is close to its midpoint in space, so no corner is on the wrong side of a
 // seam.
 TEST_P(Generated, NoTriangleStraddlesASeam) {
   const TriangleSurface surface = make_surface(GetParam().spec);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What users write, and what they are told.
+// The specifications that users write, and the messages about wrong ones.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -120,7 +120,7 @@ TEST(OpenSurface, GeneratedOrFromAFile) {
   EXPECT_EQ(error_of("/no/such.off", opened), "/no/such.off: cannot open: No such file or directory");
 }
 
-// A .msh of two triangles that share an edge, the second with copies of the first's nodes.
+// A .msh of two triangles that share an edge. The second one has its own copies of the common nodes.
 TEST(OpenSurface, TrianglesOfAMeshFileAreWelded) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "two_triangles.MSH";
   const auto write = [&](const char* elements) {

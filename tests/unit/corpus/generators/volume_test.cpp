@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The volumes that generated bodies are said to have, against closed forms and against their triangulations.
+// The stated volumes of generated bodies against closed forms and against triangulations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,8 +52,9 @@ TEST(ExactVolume, OfPolyhedraIsTheirSurfaces) {
         << spec;
 }
 
-// Inscribed triangulations of smooth bodies miss the volume by c h^2 + O(h^4), h^2 ~ 1/n: refining four times
-// divides the error by 4, and extrapolating the last two leaves far less than either error.
+// The volume of an inscribed triangulation of a smooth body is off by c h^2 + O(h^4) with h^2 ~ 1/n. A
+// triangulation with four times as many triangles has a quarter of the error, and extrapolating from the last
+// two leaves much less than either.
 TEST(ExactVolume, TriangulationsConvergeAtSecondOrder) {
   for (const char* body :
        {"sphere:", "torus:", "torus:R=2,r=1.5,", "wing:", "wing:naca=4412,", "wing:naca=9525,span=1,",

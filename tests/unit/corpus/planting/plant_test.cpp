@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The planting tool: the same seed plants the same, what it promises is true, and every kind finds a place.
+// The planting tool: the same seed plants the same defect, every promise is true, and every kind of defect
+// finds a place.
 #include "corpus/plant.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(Plant, KindsAreNamedOnceAndCallChecksByTheirIds) {
   EXPECT_THROW(plant_kind("no-such-kind"), InputError);
 }
 
-// With coordinates that make midpoints exact, with such that do not, and well inside.
+// A mesh whose midpoints are exact and one whose midpoints are not. Both have cells well inside.
 std::vector<Ground> some_grounds() {
   std::vector<Ground> grounds;
   grounds.emplace_back(block_mesh({6, 4, 4}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in text against the C library; the scanner's lines and words; files and pipes.
+// Numbers in text, compared with the C library; the lines and words of the scanner; files and pipes.
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/scanner.hpp"
 

@@ -96,7 +96,7 @@ std::string coordinates(std::mt19937_64& random) {
   return fmt::format("{} {} {}", any(random), any(random), any(random));
 }
 
-// Triangles and tetrahedra of both orders in runs of equal tags; every element has nodes of its own.
+// Triangles and tetrahedra of both orders, in runs with equal tags. Each element has its own nodes.
 Lines msh22(std::mt19937_64& random) {
   constexpr int nodes = 4000, elements = 30000;
   Lines lines{"$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", std::to_string(nodes)};
@@ -140,7 +140,7 @@ Lines msh41(std::mt19937_64& random) {
   return lines;
 }
 
-// `one_in`: on average, one in so many elements is written again for each of up to three groups.
+// `one_in`: on average, one of so many elements is repeated for up to three groups.
 Lines with_copies(const Lines& lines, std::size_t first, std::size_t one_in, std::mt19937_64& random) {
   Lines all(lines.begin(), lines.begin() + static_cast<int>(first));
   for (auto line = lines.begin() + static_cast<int>(first); *line != "$EndElements"; ++line) {
@@ -184,7 +184,7 @@ void expect_same(const Lines& fast, const Lines& slow, const char* what) {
 }
 
 struct Section {
-  std::size_t first, count;  // of its lines of numbers
+  std::size_t first, count;  // of the section's lines of numbers
 };
 
 void try_all(const Lines& lines, const std::vector<Section>& sections) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files whose endings lie or lack, standard input, and files of formats that are not read.
+// Files with a wrong ending or none, standard input, and files of formats that are not read.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@
 namespace tetproof {
 namespace {
 
-// Formats that are recognised, and how they are called then.
+// Endings of the formats that are recognised by content, and how messages call such a file.
 const std::vector<std::pair<std::string, std::string>> recognised{{".msh", "a Gmsh .msh 2.2 file"},
                                                                   {".vtk", "a legacy VTK file"},
                                                                   {".vtu", "a VTK XML file"},
@@ -30,7 +30,7 @@ std::string cube(const std::string& ending) {
   return test::cube_file(ending, test::cube_faces(3));
 }
 
-// Without the folder.
+// The warnings without the folder's name.
 std::vector<std::string> warnings(const test::TestFiles& files, std::vector<std::string> all) {
   for (std::string& warning : all)
     if (warning.starts_with(files.path(""))) warning = warning.substr(files.path("").size());
@@ -89,15 +89,15 @@ TEST(Content, RecognisesEveryVersionAndForm) {
       {"solid\nendsolid\n", "stl"},
       {binary_stl, "stl"},
       {"# Blender\nmtllib a.mtl\no Cube\nv 1 2 3\n", "obj"},
-      {"o Cube\nusemtl x\n", "no format"},     // without a point, not sure
-      {"v 1 2 3\nsome words\n", "no format"},  // nor with a statement that OBJ does not have
+      {"o Cube\nusemtl x\n", "no format"},     // without a point the content is not certain
+      {"v 1 2 3\nsome words\n", "no format"},  // a statement that OBJ does not have
       {"<?xml version=\"1.0\"?>\n<!-- by hand -->\n<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>"
        "</UnstructuredGrid></VTKFile>",
        "a.unknown:3: expected <Piece>"},
       {"\n MeshVersionFormatted 1\nDimension 3\nVertices\n0\nEnd\n", "medit"},
       {binary_medit, "a.unknown: byte 28: expected Vertices, found the end of the file"},
-      {"4 3 0 0\n1 0 0 0\n", "no format"},  // TetGen's files are never recognised
-      {"8 12 0\n0 0 0\n", "no format"},     // nor is an OFF without its keyword
+      {"4 3 0 0\n1 0 0 0\n", "no format"},  // TetGen's files are not recognised
+      {"8 12 0\n0 0 0\n", "no format"},     // an OFF without its keyword is not, either
       {"", "no format"},
   };
   for (const auto& [bytes, format] : cases) {
@@ -121,7 +121,7 @@ TEST(Content, TheOptionOverrulesContentAndEnding) {
   EXPECT_EQ(files.message([&] { read_document(path, {.format = "nas"}); }),
             "unknown format 'nas', expected one of msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off "
             "obj ply");
-  // A file that only its reader knows.
+  // Files that only the reader of their format can recognise.
   EXPECT_EQ(read_surface(files.write("b.txt", cube(".poly")), {.format = "poly"}).triangles.size(), 12u);
   EXPECT_EQ(read_surface(files.write("b", cube(".smesh")), {.format = "smesh"}).triangles.size(), 12u);
   const std::string text = cube(".off");
@@ -131,7 +131,7 @@ TEST(Content, TheOptionOverrulesContentAndEnding) {
             ".vol .mtr .var .t2f .t2e .f2e .cell");
 }
 
-// Standard input becomes this file, or a pipe with its bytes, as long as one of these lives.
+// While an object of this class lives, standard input is this file, or a pipe with these bytes.
 class StandardInput {
  public:
   explicit StandardInput(const std::string& path) : before_(::dup(STDIN_FILENO)) {
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "a VRML scene, which is not read; call it .wrl, so that Gmsh reads it"}),
     [](const auto& test) { return test.param.name; });
 
-// Three numbers in the first line are a FreeFem mesh in a .msh only.
+// Three numbers in the first line mean a FreeFem mesh only if the file's name ends in .msh.
 TEST(ForeignFormats, AreNotSeenInOurFiles) {
   const test::TestFiles files;
   EXPECT_EQ(read_surface(files.write("a.off", cube(".off").substr(4))).triangles.size(), 12u);

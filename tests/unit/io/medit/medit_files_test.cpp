@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medit's files, text and binary, by hand and as other programs write them.
+// Medit files, text and binary: written by hand, and samples of other programs.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,7 +20,7 @@ namespace {
 
 const std::string four_points = "n 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\n";
 
-// Numbers of a binary file, in a byte order.
+// Collects the numbers of a binary file in a byte order.
 class Bytes {
  public:
   explicit Bytes(std::endian order) : order_(order) {}
@@ -29,7 +29,7 @@ class Bytes {
     test::append(bytes_, value, order_);
     return *this;
   }
-  // A keyword and the place behind its `size` bytes of data, of 4 or 8 bytes.
+  // A keyword and the position behind its data, which have `size` bytes. The position has 4 or 8 bytes.
   Bytes& keyword(int code, int version, std::size_t size) {
     (*this)(std::int32_t{code});
     const std::size_t next = bytes_.size() + (version < 3 ? 4 : 8) + size;
@@ -48,7 +48,7 @@ class Bytes {
   std::string bytes_;
 };
 
-// Four vertices, a tetrahedron of reference 7, a ridge, normals, and a keyword of no known form.
+// Four vertices, a tetrahedron with reference 7, a ridge, normals, and an unknown keyword.
 std::string binary_file(int version, std::endian order) {
   Bytes bytes(order);
   const std::size_t i = version == 4 ? 8 : 4, r = version == 1 ? 4 : 8;
@@ -84,7 +84,7 @@ TEST(MeditFiles, BinaryOfAllVersionsAndByteOrders) {
                     "v nodes references 1: 0 5 0 -3\nv elements Ridges 1 at 3: 1\nS Normals [1\n0.5 0 -1]\n")
           << version;
       ASSERT_EQ(document.element_values.size(), 1U);
-      EXPECT_EQ(document.element_values[0].at, std::vector<Index>{2});  // the second edge
+      EXPECT_EQ(document.element_values[0].at, std::vector<Index>{2});  // the second edge of the file
       EXPECT_TRUE(document.warnings.empty());
       ASSERT_EQ(document.dropped.size(), 1U);
       EXPECT_EQ(document.dropped[0].item, "keyword of code 9999");
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "a.meshb: byte 20: expected Vertices, found the end of the file"}),
     test::name_of);
 
-// All that the format holds, both ways, and its numbers beyond 32 bits.
+// Everything that the format holds, as text and as binary, also with numbers beyond 32 bits.
 TEST(MeditFiles, RoundTrips) {
   Document document;
   document.points = {{0, -0.0, 5e-324}, {0.1 + 0.2, 1e300, 1.0 / 3}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
@@ -270,7 +270,7 @@ TEST(MeditFiles, SamplesOfOtherPrograms) {
   EXPECT_EQ(cube.node_values[1].at.size(), 8U);
   EXPECT_EQ(cube.elements(), 36U);
   EXPECT_EQ(cube.warnings.size(), 1U);
-  // TetGen's own files of the same mesh.
+  // TetGen wrote the same mesh in its own format.
   const Document nodes = read_document(folder / "tetgen150_out/example.1.node"),
                  mesh = read_document(folder / "tetgen150_out/example.1.mesh");
   EXPECT_EQ(mesh.points, nodes.points);

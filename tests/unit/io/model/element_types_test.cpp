@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of element types against the number of nodes that a complete element of its order has.
+// The table of element types, compared with the number of nodes of a complete element of each order.
 #include <gtest/gtest.h>
 
 #include <vector>

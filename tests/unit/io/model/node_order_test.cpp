@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Node orders against the edges that the formats' documents list. tests/programs/vtk_files.py tests how other
-// programs see them.
+// Node orders, compared with the edges that the formats' manuals list. tests/programs/vtk_files.py tests how
+// other programs see them.
 #include "io/model/node_order.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ const Edges vtk_hexahedron{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                            {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 const Edges vtk_wedge{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
 const Edges vtk_pyramid{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
-// TetGen's manual, figure of the second-order tetrahedron, from 0.
+// TetGen's manual, figure of the second-order tetrahedron. Numbers here start from 0.
 const Edges tetgen_tetrahedron{{2, 3}, {0, 3}, {0, 1}, {1, 2}, {1, 3}, {0, 2}};
 
 struct Case {
@@ -71,8 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
                          tetgen_tetrahedron}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// The face nodes of VTK's hexahedron of 27 nodes lie on x-, x+, y-, y+, z- and z+; Gmsh's on z-, y-, x-, x+,
-// y+ and z+. Those of its wedge on 0143, 1254 and 2035; Gmsh's on 0143, 0352 and 1254.
+// The face nodes of VTK's hexahedron of 27 nodes are on x-, x+, y-, y+, z-, z+, Gmsh's on z-, y-, x-, x+, y+,
+// z+. The face nodes of VTK's wedge are on 0143, 1254, 2035, Gmsh's on 0143, 0352, 1254.
 TEST(Order, PutsNodesOnTheirFaces) {
   const auto hexahedron = node_order(12, NodeOrder::vtk), wedge = node_order(13, NodeOrder::vtk);
   EXPECT_EQ(std::vector<int>(hexahedron.begin() + 20, hexahedron.end()),
@@ -91,7 +91,7 @@ TEST(Order, IsThatOfGmshForTheRest) {
 }
 
 TEST(OrderOfLattice, IsByThePlacesOfNodes) {
-  // Node 4 between 2 and 3, then 0 3, 0 1, 1 2, 1 3 and 0 2: TetGen's order.
+  // TetGen's order: node 4 is between 2 and 3, the next ones between 0 3, 0 1, 1 2, 1 3 and 0 2.
   const std::vector<std::int64_t> places{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 1, 1,
                                          1, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 0};
   const auto tetgen = node_order(11, NodeOrder::tetgen);

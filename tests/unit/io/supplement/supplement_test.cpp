@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What .msh and TetGen files keep aside comes back, unless the file was changed since.
+// What .msh and TetGen files keep aside comes back, unless the file was changed in the meantime.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace tetproof {
 namespace {
 
-// Something in every part of a document.
+// A document with something in each of its parts.
 Document everything() {
   Document d;
   d.path = "everything";
@@ -70,7 +70,8 @@ Document everything() {
   return d;
 }
 
-// Unknown numbers may come in another order, and once for nodes and once for elements.
+// Unknown numbers may come back in another order, and twice: once for nodes and once for elements. Sorts them
+// and removes duplicates.
 Document with_sorted_unknown(Document d) {
   std::vector<std::int64_t> sorted = d.unknown;
   std::sort(sorted.begin(), sorted.end());
@@ -92,12 +93,12 @@ Document with_sorted_unknown(Document d) {
   return d;
 }
 
-// What .msh 2.2 says of elements in several groups, which it lists once for each.
+// Whether it is the warning of .msh 2.2 that elements in several groups are listed once for each.
 bool tells_of_groups(const std::string& warning) {
   return warning.find("further physical group") != warning.npos;
 }
 
-// As the supplement says it, which has all of a document but its points.
+// The whole document as text: its supplement, which has everything but the points, and the points.
 std::string told(Document document) {
   if (!document.node_tags.empty()) document.first_node = 0;
   if (!document.element_tags.empty()) document.first_element = 0;
@@ -155,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, Supplement,
                                          Target{"a.msh", {.format = "msh22", .binary = true}},
                                          Target{"a.node", {}}));
 
-// A format that lists tetrahedra first and triangles last: few changes of kind and many.
+// A format that lists tetrahedra first and triangles last, with few and with many changes between the two.
 TEST(SupplementOrder, OfBlocksByKindIsTakenBack) {
   for (const int blocks : {1, 2, 3, 5, 12, 60}) {
     std::mt19937 random(static_cast<unsigned>(blocks));
@@ -174,7 +175,7 @@ TEST(SupplementOrder, OfBlocksByKindIsTakenBack) {
       for (std::size_t k = document.blocks.back().count * (tetrahedra ? 4 : 3); k > 0; --k)
         document.connectivity.push_back(static_cast<Index>(random() % 1000));
     }
-    for (const int type : {4, 2}) {  // each kind in one block, as a reader knows no better
+    for (const int type : {4, 2}) {  // a reader makes one block of each kind
       ElementBlock all{.type = type, .dim = type == 4 ? 3 : 2, .nodes_each = type == 4 ? 4 : 3};
       all.first = native.elements(), all.nodes = native.connectivity.size();
       for (const ElementBlock& block : document.blocks) {

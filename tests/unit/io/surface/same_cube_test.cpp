@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same solid gives the same surface from every format, whatever polygons its faces are.
+// A solid gives the same surface from every format, whatever polygons its faces consist of.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@
 namespace tetproof {
 namespace {
 
-// Of twelve triangles: whether each edge has one triangle on either side, the area, and the volume.
+// Whether each edge has one triangle on either side; the area; the volume.
 struct Measured {
   bool closed = true;
   double area = 0, volume = 0;
@@ -46,7 +46,7 @@ class SameCube : public testing::TestWithParam<std::string> {};
 
 TEST_P(SameCube, OfTrianglesOfQuadranglesAndOfBoth) {
   const test::TestFiles files;
-  std::vector<std::array<Index, 3>> expected;  // both halves of each quadrangle, by hand
+  std::vector<std::array<Index, 3>> expected;  // the two halves of each quadrangle, by hand
   for (const test::Face& q : test::cube_quads) {
     expected.push_back({q[0], q[1], q[2]});
     expected.push_back({q[0], q[2], q[3]});
@@ -76,7 +76,7 @@ TEST_P(SameCube, OfTrianglesOfQuadranglesAndOfBoth) {
 INSTANTIATE_TEST_SUITE_P(Formats, SameCube, testing::ValuesIn(test::cube_endings),
                          [](const auto& test) { return test.param.substr(1); });
 
-// What is no face of a cube, or no face that can be cut, is refused alike.
+// Every format refuses the same faces, with the same words.
 TEST(SurfaceOf, RefusesTheSameFromEveryFormat) {
   const test::TestFiles files;
   for (const std::string& ending : test::cube_endings) {
@@ -95,7 +95,7 @@ TEST(SurfaceOf, RefusesTheSameFromEveryFormat) {
 }
 
 TEST(SurfaceOf, PassesOverWhatIsNoFace) {
-  // A prism's inner node 6 belongs to a tetrahedron alone, node 7 to no element.
+  // Only a tetrahedron uses node 6, and no element uses node 7.
   const test::TestFiles files;
   const std::string text =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 .5 .5 1\n"

@@ -1,72 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything in surface files beside points and triangles: read as it is, listed where it is dropped, and
-// written so that it comes back.
+// Everything in surface files besides points and triangles: what is read, what is listed as dropped, and that
+// it is written and comes back.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
-#include "io/surface_files.hpp"
 #include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
+#include "tests/unit/io/surface/surface_document_text.hpp"
 
 namespace tetproof {
 namespace {
 
-std::string text_of(const Values& values, const char* of) {
-  std::string text = fmt::format("{} {} x{}{}: {}{}", of, values.name, values.components,
-                                 values.integers.empty() ? "" : " i", fmt::join(values.reals, " "),
-                                 fmt::join(values.integers, " "));
-  if (values.first != 0) text += fmt::format(" from {}", values.first);
-  if (!values.at.empty()) text += fmt::format(" at {}", fmt::join(values.at, " "));
-  if (!values.nodes.empty()) text += fmt::format(" nodes {}", fmt::join(values.nodes, " "));
-  if (!values.labels.empty()) text += fmt::format(" labels [{}]", fmt::join(values.labels, "|"));
-  return text + "\n";
-}
-
-// Everything but the points.
-std::string told(const Document& document) {
-  std::string text = document.title.empty() ? "" : "title " + document.title + "\n";
-  for (const GroupName& name : document.group_names)
-    text += fmt::format("group {} {} {}\n", name.dim, name.group, name.name);
-  for (const ElementBlock& block : document.blocks)
-    for (std::size_t e = 0; e < block.count; ++e) {
-      text += fmt::format("e{}", block.type);
-      for (const std::int64_t group : document.tag_sets.at(static_cast<std::size_t>(block.groups)))
-        text += fmt::format(" g{}", group);
-      text += ":";
-      for (int k = 0; k < block.nodes_each; ++k)
-        text += fmt::format(" {}", document.named(document.connectivity.at(
-                                       block.nodes + e * static_cast<std::size_t>(block.nodes_each) +
-                                       static_cast<std::size_t>(k))));
-      text += "\n";
-    }
-  for (const Values& values : document.node_values) text += text_of(values, "node");
-  for (const Values& values : document.element_values) text += text_of(values, "element");
-  for (const Values& values : document.element_node_values) text += text_of(values, "corner");
-  for (const Table& table : document.tables) {
-    text += fmt::format("table {} {}\n", table.name, table.rows);
-    for (const Column& column : table.columns)
-      text += fmt::format("  {} ({}) {}{}{} [{}]\n", column.name, column.type, fmt::join(column.reals, " "),
-                          fmt::join(column.integers, " "), fmt::join(column.texts, "|"),
-                          fmt::join(column.lengths, " "));
-  }
-  return text;
-}
+using test::obj_square;
+using test::ply_list;
+using test::ply_start;
+using test::ply_xyz;
+using test::square;
+using test::told;
 
 struct Case {
   std::string name, file, bytes, told;
-  std::vector<std::string> warnings{};  // without the folder
-  bool binary = false;                  // how it is written again
+  std::vector<std::string> warnings{};  // without the folder's name
+  bool binary = false;                  // the encoding in which it is written again
   std::vector<std::string> dropped{};   // "count item (example)"
 
   friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
@@ -77,7 +40,7 @@ const std::string facet =
 const std::string other_facet =
     "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
 
-// One facet with this header and attribute, and a normal along z.
+// A file of one facet with this header and attribute; its normal is along z.
 std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_z = 1) {
   bytes.resize(84 + 50);
   bytes[80] = 1;
@@ -87,7 +50,7 @@ std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_
   return bytes;
 }
 
-// Numbers of binary OFF, the most significant byte first.
+// Appends numbers of binary OFF, the most significant byte first.
 std::string binary_off(std::string bytes, const std::vector<std::uint32_t>& integers) {
   for (const std::uint32_t integer : integers)
     for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(integer >> shift & 255);
@@ -98,12 +61,6 @@ std::string floats(const std::vector<float>& numbers) {
   std::memcpy(bits.data(), numbers.data(), 4 * numbers.size());
   return binary_off("", bits);
 }
-
-const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-const std::string ply_start = "ply\nformat ascii 1.0\n";
-const std::string ply_xyz = "property float x\nproperty float y\nproperty float z\n";
-const std::string ply_list = "property list uchar int vertex_indices\n";
 
 const std::vector<Case> cases{
     {"StlNameless", "a.stl", "solid\n" + facet + "endsolid\n", "e2: 1 2 3\n"},
@@ -283,7 +240,7 @@ const std::vector<Case> cases{
      "e2: 0 1 2\ne1: 0 1\ne1: 1 2\nelement q x1: 0.5 1.5 2.5\ntable vertex 3\n  ring (list uchar uint) 7 8 9 "
      "[0 2 1]\n"
      "table camera 2\n  f (float32) 0.25 3 []\n  view (list uint8 int16) -4 [1 0]\n"},
-    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; another property name, the same when decoded
+    {"PlyTwoValuesOfOneName", "a.ply",  // of faces and of edges; the names are equal when decoded
      ply_start + "element vertex 3\n" + ply_xyz + "element face 1\n" + ply_list +
          "property uchar markers\nelement edge 2\nproperty int vertex1\nproperty int vertex2\n"
          "property uchar %6Darkers\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n0 1 6\n1 2 7\n",
@@ -318,7 +275,7 @@ TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
     dropped.push_back(fmt::format("{} {} ({})", loss.count, loss.item, loss.example));
   EXPECT_EQ(dropped, given.dropped);
 
-  // Into its own format: the same, but for elements without their nodes.
+  // Written in its own format it comes back. Elements that name unknown nodes do not.
   if (!document.unknown.empty()) return;
   const bool is_ply = given.file == "a.ply";
   for (const bool binary : {false, true}) {
@@ -334,169 +291,6 @@ TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceDocuments, testing::ValuesIn(cases),
                          [](const auto& test) { return test.param.name; });
-
-// The bytes by hand.
-TEST(SurfaceDocuments, AreWrittenAsTheFormatsSay) {
-  const test::TestFiles files;
-  Document document = read_document(files.write(
-      "a.obj",
-      obj_square + "vt 0 0\nvt 1 0\nvn 0 0 1\no part\ng wing\nusemtl red\nf 1/1/1 2/2/1 3/1/1\nf 1 3 4\n"));
-  document.tag_sets[1] = {5};
-  document.group_names[0].group = 5;
-  write_document(files.path("b.obj"), document);
-  EXPECT_EQ(files.read(files.path("b.obj")),
-            obj_square +
-                "vt 0 0\nvt 1 0\nvn 0 0 1\n# group 5 wing\no part\ng wing\nusemtl red\n"
-                "f 1/1/1 2/2/1 3/1/1\nf 1 3 4\n");
-  write_document(files.path("b.stl"), document, {.binary = false});
-  EXPECT_EQ(files.read(files.path("b.stl")).substr(0, 32), "solid wing #5\nfacet normal 0 0 1");
-}
-
-// A square becomes two triangles; what is not planar is left out and told.
-TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Document document =
-      document_of(TriangleSurface{{{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {2, 1, 3}}});
-  const test::TestFiles files;
-  for (const bool binary : {false, true}) {
-    const std::string path = files.path("a.stl");
-    const std::vector<Loss> lost = losses(path, document, {.binary = binary});
-    ASSERT_EQ(lost.size(), 1U);
-    EXPECT_EQ(lost[0].item, "nodes at NaN, which become one for each corner");
-    EXPECT_EQ(lost[0].count, 1U);
-    EXPECT_EQ(lost[0].example, "node 3");
-    write_document(path, document, {.binary = binary});
-    EXPECT_EQ(read_document(path).points.size(), 5U);
-  }
-}
-
-TEST(SurfaceDocuments, StlCutsPolygons) {
-  const test::TestFiles files;
-  const Document document =
-      read_document(files.write("a.off", "OFF 5 3 0\n" + square + "0 0 1\n4 0 1 2 3\n4 0 1 2 4\n3 0 1 4\n"));
-  write_document(files.path("a.stl"), document, {.binary = false});
-  const Document back = read_document(files.path("a.stl"));
-  EXPECT_EQ(told(back), "e2: 1 2 3\ne2: 1 3 4\ne2: 1 2 5\n");
-  const std::vector<Loss> lost = losses("a.stl", document, {.binary = false});
-  ASSERT_GE(lost.size(), 2u);
-  EXPECT_EQ(lost[0].item, "quadrangles of 4 nodes (type 3) cut into triangles");
-  EXPECT_EQ(lost[0].count, 1);
-  EXPECT_EQ(lost[0].example, "element 1");
-  EXPECT_EQ(lost[1].item, "quadrangles of 4 nodes (type 3)");
-  EXPECT_EQ(lost[1].count, 1);
-  EXPECT_EQ(lost[1].example, "element 2");
-}
-
-// One table that PLY has no place for takes no other with it.
-TEST(SurfaceDocuments, PlyLosesTablesOneByOne) {
-  const test::TestFiles files;
-  Document document = read_document(
-      files.write("a.ply", ply_start + "element vertex 1\n" + ply_xyz +
-                               "element camera 1\nproperty float f\nend_header\n" + "0 0 0\n0.25\n"));
-  document.tables.push_back(
-      {.name = "notes", .rows = 1, .columns = {{.name = "t", .type = "String", .texts = {"x"}}}});
-  const std::vector<Loss> lost = losses("b.ply", document);
-  ASSERT_EQ(lost.size(), 1u);
-  EXPECT_EQ(lost[0].item, "table \"notes\"");
-  write_document(files.path("b.ply"), document);
-  EXPECT_EQ(told(read_document(files.path("b.ply"))), "table camera 1\n  f (float) 0.25 []\n");
-}
-
-TEST(SurfaceDocuments, ZerosAndNansSurvive) {
-  const test::TestFiles files;
-  for (const char* name : {"a.off", "a.obj", "a.ply"}) {
-    const Document document =
-        read_document(files.write("b.off",
-                                  "NOFF 3 1 0\n-0 4.9e-324 0.1 nan inf -0\n1e308 0 0.30000000000000004 0 0 "
-                                  "1\n0 -inf nan 1 1 1\n3 0 1 2\n"));
-    write_document(files.path(name), document, {});
-    const Document back = read_document(files.path(name));
-    ASSERT_EQ(back.points.size(), 3u);
-    EXPECT_TRUE(std::signbit(back.points[0][0])) << name;
-    EXPECT_EQ(back.points[0][1], 4.9e-324) << name;
-    EXPECT_EQ(back.points[1][2], 0.30000000000000004) << name;
-    EXPECT_TRUE(std::isnan(back.points[2][2]) && back.points[2][1] == -HUGE_VAL) << name;
-  }
-}
-
-// Other programs' readers: points, cells and names of values, no warning.
-TEST(SurfaceDocuments, VtkAndMeshioReadWhatWeWrite) {
-  const test::TestFiles files;
-  const std::string python = "/usr/bin/python3 ", quiet = " > " + files.path("out") + " 2>&1";
-  if (std::system((python + "-c 'import vtk, meshio'" + quiet).c_str()) != 0)
-    GTEST_SKIP() << "python3-vtk9 or python3-meshio is not here";
-  const std::string script = files.write("read.py", R"(
-import sys, os, vtk, meshio
-os.chdir(sys.argv[1])
-for name, reader in (('a.stl', vtk.vtkSTLReader()), ('b.stl', vtk.vtkSTLReader()), ('a.obj', vtk.vtkOBJReader()),
-                     ('a.ply', vtk.vtkPLYReader()), ('b.ply', vtk.vtkPLYReader())):
-    said = []
-    reader.AddObserver('ErrorEvent', lambda *_: said.append('error'))
-    reader.AddObserver('WarningEvent', lambda *_: said.append('warning'))
-    reader.SetFileName(name)
-    reader.Update()
-    mesh = reader.GetOutput()
-    data = mesh.GetPointData()
-    print(name, mesh.GetNumberOfPoints(), mesh.GetNumberOfCells(), mesh.GetBounds(),
-          [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())], *said)
-for name in ('a.stl', 'b.stl', 'a.obj', 'a.ply', 'b.ply', 'a.off'):
-    mesh = meshio.read(name)
-    print(name, len(mesh.points), [(cells.type, len(cells.data)) for cells in mesh.cells], float(mesh.points.sum()))
-)");
-  const Document document = read_document(files.write(
-      "in.off",
-      "COFF\n4 2 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0.5 1 2 3\n3 0 1 2\n3 0 2 3\n"));
-  for (const char* letter : {"a", "b"})
-    for (const char* ending : {".stl", ".ply"})
-      write_document(files.path(letter + std::string(ending)), document, {.binary = *letter == 'b'});
-  write_document(files.path("a.obj"), document);
-  Document plain = document;
-  plain.node_values.clear();
-  write_document(files.path("a.off"), plain);
-  ASSERT_EQ(std::system((python + script + " " + files.path("") + quiet).c_str()), 0)
-      << files.read(files.path("out"));
-  const std::string box = "(0.0, 1.0, 0.0, 1.0, 0.0, 0.5)";
-  EXPECT_EQ(
-      files.read(files.path("out")),
-      "a.stl 4 2 " + box + " []\nb.stl 4 2 " + box + " []\na.obj 4 2 " + box + " []\na.ply 4 2 " + box +
-          " ['RGB']\nb.ply 4 2 " + box +
-          " ['RGB']\n"
-          "a.stl 4 [('triangle', 2)] 4.5\nb.stl 4 [('triangle', 2)] 4.5\na.obj 4 [('triangle', 2)] 4.5\n"
-          "a.ply 4 [('triangle', 2)] 4.5\nb.ply 4 [('triangle', 2)] 4.5\na.off 4 [('triangle', 2)] 4.5\n");
-}
-
-// Every sample that is read comes back from its own format.
-TEST(SurfaceDocuments, SamplesComeBack) {
-  const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared";
-  if (!std::filesystem::exists(shared / "formats"))
-    GTEST_SKIP() << shared / "formats"
-                 << " is not here";
-  const test::TestFiles files;
-  int read = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared / "formats")) {
-    const std::string path = entry.path().string();
-    if (!is_surface_file(path)) continue;
-    SCOPED_TRACE(path);
-    Document document;
-    try {
-      document = read_document(path);
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).find(path), 0u);
-      continue;
-    }
-    ++read;
-    const bool text = document.title.empty() && document.format == "stl";
-    const std::string again = files.path("again." + document.format);
-    const WriteOptions options{.format = document.format, .binary = document.format == "stl" && !text};
-    for (const Loss& loss : losses(again, document, options))
-      ADD_FAILURE() << loss.item << ": " << loss.example;
-    write_document(again, document, options);
-    const Document back = read_document(again);
-    EXPECT_EQ(told(back), told(document));
-    EXPECT_EQ(test::text_of(back), test::text_of(document));
-  }
-  EXPECT_GE(read, 60);
-}
 
 }  // namespace
 }  // namespace tetproof

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that the grammars of the surface formats do not permit: the whole text of each message.
+// Files that break the grammar of a surface format: the whole text of each message.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -48,7 +48,7 @@ std::string binary_stl(char count, std::size_t size) {
   return bytes;
 }
 
-// Binary OFF with these integers behind its keyword.
+// A binary OFF with these integers behind its keyword.
 std::string binary_off(std::initializer_list<unsigned char> integers) {
   std::string bytes = "OFF BINARY\n";
   for (const unsigned char integer : integers) bytes.append(3, '\0').append(1, static_cast<char>(integer));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that stand in a mesh's file: its triangles, welded, or one line.
+// Surfaces in mesh files: the triangles, welded, or a refusal in one line.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,7 @@ std::string msh(const std::vector<std::string>& nodes, const std::vector<std::st
 
 TEST(MshSurface, TrianglesWeldedAndInnerNodesLeftOut) {
   const test::TestFiles files;
-  // Node 5 stands inside, used by the tetrahedron alone; node 9 repeats node 1.
+  // Only the tetrahedron uses the inner node 5. Node 9 repeats node 1.
   const TriangleSurface surface = read_surface(
       files.write("a.msh", msh({"1 0 0 0", "2 1 0 0", "5 0.1 0.1 0.1", "3 0 1 0", "4 0 0 1", "9 0 0 -0"},
                                {"1 15 2 0 1 1", "2 2 2 0 1 1 3 2", "3 2 2 0 1 9 2 4", "4 2 2 0 1 2 3 4",
@@ -36,7 +36,7 @@ TEST(MshSurface, TrianglesWeldedAndInnerNodesLeftOut) {
             (std::vector<std::array<Index, 3>>{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}));
 }
 
-// The same tetrahedron's surface in the files of other programs, by hand.
+// The surface of the same tetrahedron in the formats of other programs, by hand.
 TEST(MeshSurface, FromOtherPrograms) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"a.mesh",
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"Nothing", {}, "a.msh: expected a surface, found no triangles or polygons"},
                     Refusal{"BentQuadrangle",
                             {"7 2 2 0 1 1 2 3", "8 3 2 0 1 1 2 3 4"},
-                            // By hand, the area vector of the skew square: as OffNotPlanar.
+                            // By hand, from the area vector of the skew square, as in OffNotPlanar.
                             "a.msh: element 8 with 4 corners is not planar: a corner is 0.354 "
                             "off its plane, allowed 0.000173; cut it into triangles"},
                     Refusal{"UnknownNode",

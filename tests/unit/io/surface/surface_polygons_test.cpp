@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polygons: which become fans and where those start, and which are refused.
+// Polygons: which are cut into fans, at which corner these start, and which are refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using Points = std::vector<std::array<double, 3>>;
 using Triangles = std::vector<std::array<Index, 3>>;
 
-// An OBJ file with these points and one face that names `corners`, from 1; all in order if empty.
+// An OBJ file with these points and one face. `corners` are its corners, from 1; empty: all points in order.
 std::string obj(const Points& points, std::vector<int> corners = {}) {
   std::string text;
   char line[128];
@@ -33,7 +33,7 @@ std::string obj(const Points& points, std::vector<int> corners = {}) {
   return text + "\n";
 }
 
-// The polygon in another plane, turned by a rotation with rational entries.
+// The polygon, moved to another plane by a rotation with rational entries.
 Points turned(Points points) {
   for (auto& p : points) {
     const double x = (2 * p[0] - p[1] + 2 * p[2]) / 3, y = (2 * p[0] + 2 * p[1] - p[2]) / 3,
@@ -110,14 +110,14 @@ const std::vector<Fan> fans{
      {},
      {{1, 2, 3}, {1, 3, 4}, {1, 4, 5}, {1, 5, 0}}},
     {"Kite", {{0, 0, 0}, {1, -1, 0}, {5, 0, 0}, {1, 1, 0}}, {}, square_fan},
-    // Repeated corners, by number or by place.
+    // Repeated corners: the same number, or the same coordinates.
     {"CollapsedSide", square, {1, 2, 2, 3}, {{0, 1, 2}}},
     {"CollapsedSideAtTheEnd", square, {1, 2, 3, 1}, {{0, 1, 2}}},
     {"CollapsedByWelding", {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {{0, 1, 2}}},
     {"CollapsedPentagon", square, {1, 2, 2, 3, 4}, square_fan},
     {"CollapsedToALine", square, {1, 2, 2, 1}, {{0, 1, 1}}},
     {"CollapsedToAPoint", square, {1, 1, 1, 1}, {{0, 0, 0}}},
-    // No area: degenerate triangles for the judge to report.
+    // Polygons without area become degenerate triangles, which the judge reports.
     {"OnALine", {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 0, 0}}, {}, square_fan},
     {"ThereAndBack", square, {1, 2, 1, 2}, {{0, 1, 0}, {0, 0, 1}}},
 };
@@ -142,7 +142,7 @@ struct Refusal {
 };
 
 const std::vector<Refusal> refusals{
-    // Distances from the plane through the mean, by hand: the normal of the saddle is z, its mean z = h / 2.
+    // Distances from the plane through the mean, by hand. The saddle's normal is z and its mean is z = h / 2.
     {"Saddle",
      {{0, 0, 0}, {1, 0, 0.002}, {1, 1, 0}, {0, 1, 0.002}},
      {},
@@ -195,7 +195,7 @@ const auto name_of = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Surface, PolygonFans, testing::ValuesIn(fans), name_of);
 INSTANTIATE_TEST_SUITE_P(Surface, PolygonRefusals, testing::ValuesIn(refusals), name_of);
 
-// So fine that no corner by itself is noticeably reflex.
+// The corners are so close that no single one is noticeably reflex.
 TEST(Polygons, CrescentOfManyCornersIsNotConvex) {
   const int n = 20000;
   Points points;
@@ -213,9 +213,9 @@ TEST(Polygons, TimeGrowsWithTheCorners) {
   const test::TestFiles files;
   const int n = 200000;
   const std::string path = files.write("a.obj", obj(regular(n)));
-  const std::clock_t start = std::clock();  // CPU time, in which other programs have no part
+  const std::clock_t start = std::clock();  // CPU time, so that other programs do not count
   const TriangleSurface surface = read_surface(path);
-  EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);  // quadratic: minutes; sanitizers: seconds
+  EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);  // minutes if quadratic, seconds with sanitizers
   EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(n - 2));
   double area = 0;
   for (const auto& t : surface.triangles) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that other programs wrote: read to the counts that are known of them, or refused with a place.
+// Surfaces that other programs wrote: they are read with the known counts, or refused with a place.
 #include <gtest/gtest.h>
 
 #include <algorithm>

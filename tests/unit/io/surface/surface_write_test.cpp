@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written reads back equal: every double in OFF, OBJ, PLY and the text form of STL, every float32 in
-// binary STL.
+// What is written reads back equal: every double in OFF, OBJ, PLY and text STL, every float in binary STL.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,8 +19,8 @@ namespace {
 
 constexpr std::uint64_t seed = 20261122;
 
-// Points of random bits, finite, all different but for the extremes, and random triangles, each vertex first
-// used in order, so that welding and renumbering change nothing.
+// Finite points of random bits, and random triangles. Vertices are different (except the extremes) and are
+// first used in their order, so welding and renumbering change nothing.
 TriangleSurface random_surface(int points) {
   std::mt19937_64 random(seed);
   TriangleSurface surface;
@@ -104,7 +103,7 @@ TEST(SurfaceWrite, BinaryStlRoundsToFloats) {
   ASSERT_EQ(read.vertices.size(), 3u);
   EXPECT_EQ(read.vertices[0], Eigen::Vector3d(0.100000001490116119384765625, 0, 0));
   EXPECT_EQ(read.vertices[1], Eigen::Vector3d(HUGE_VAL, 0, 0));
-  EXPECT_EQ(read.vertices[2], Eigen::Vector3d(0, 0, 16777216));  // half way, to even
+  EXPECT_EQ(read.vertices[2], Eigen::Vector3d(0, 0, 16777216));  // half way: rounds to even
 }
 
 TEST(SurfaceWrite, BinaryStlOfFloatsIsExact) {
@@ -122,7 +121,7 @@ TEST(SurfaceWrite, BinaryStlOfFloatsIsExact) {
   expect_same(read_surface(files.path("a.stl")), surface);
 }
 
-// A tetrahedron's bytes, by hand.
+// The bytes of a tetrahedron, by hand.
 TEST(SurfaceWrite, Texts) {
   const test::TestFiles files;
   TriangleSurface surface;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's .poly and .smesh, by a few lines written by hand after the manual's sections 5.2.2 and 5.2.3.
+// Reads TetGen's .poly and .smesh: a few lines for each rule, by hand, after the manual's sections 5.2.2 and
+// 5.2.3.
 #include "io/mesh_files.hpp"
 #include "io/surface_files.hpp"
 #include "tests/support/tetgen_text.hpp"

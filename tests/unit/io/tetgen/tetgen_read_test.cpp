@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's files of a mesh, each rule by a few lines written by hand after the manual's section 5.
+// Reads TetGen's files of a mesh: a few lines for each rule, by hand, after the manual's section 5.
 #include <map>
 
 #include "io/mesh_files.hpp"
@@ -15,7 +15,7 @@ const std::string nodes1 = "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n",
 const std::string n1 = "n 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\n",
                   n0 = "n 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\nn 3 0 0 1\n";
 const std::string ele1 = "1 4\n1 1 2 3 4\n", tet1 = "b 4 4 1\ne 1: 1 2 3 4\n";
-// A tetrahedron of second order, with Gmsh's numbers of its nodes.
+// A second-order tetrahedron whose nodes have Gmsh's numbers.
 const std::string nodes10 =
     "10 3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 .5 0 0\n5 .5 .5 0\n6 0 .5 0\n7 0 0 .5\n8 0 .5 .5\n9 .5 0 "
     ".5\n";
@@ -76,7 +76,7 @@ const std::vector<Case> cases{
          "b 9 6 1\ne 1: 0 1 2 4 5 6\nb 8 3 2\ne 2: 0 1 4\ne 3: 2 3 8\nv element markers 1 from 1: -3\nv "
          "element markers 1 "
          "from 2: 7 7\n"},
-    {"SecondOrderFacesAsWithF",  // there the nodes stand opposite to the corners
+    {"SecondOrderFacesAsWithF",  // with -f each node is opposite to its corner
      "a.ele",
      {{"a.node", nodes10},
       {"a.ele", ele10},
@@ -251,7 +251,7 @@ TEST_P(TetgenErrors, HaveOneLineWithThePlace) {
 INSTANTIATE_TEST_SUITE_P(ByHand, TetgenErrors, testing::ValuesIn(errors),
                          [](const auto& test) { return test.param.name; });
 
-// Long files are read by several threads where their lines are plain, to the same end.
+// Long files are read by several threads if their lines are plain, with the same result.
 TEST(TetgenRead, PlainLinesAndOthersAlike) {
   constexpr int count = 3000;
   std::map<std::string, std::string> set{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen itself: it makes the same of what we write as of what we read, and what it writes means what it
-// should.
+// TetGen itself: it gives the same result for our files as for the original ones, and we read its files
+// correctly.
 #include <map>
 
 #include "io/mesh_files.hpp"
@@ -22,7 +22,7 @@ class TetgenTool : public testing::Test {
     for (const char* folder : {"a/", "b/"}) fs::copy_file(sample, files.path(folder + std::string("x.poly")));
   }
 
-  // Runs TetGen in a folder; what it wrote, without its comments.
+  // Runs TetGen in a folder. Returns the files that it wrote, without their comments.
   std::map<std::string, std::string> run(const std::string& folder, const std::string& switches,
                                          const std::string& name, const std::string& made) {
     const test::Outcome outcome =
@@ -44,7 +44,7 @@ class TetgenTool : public testing::Test {
   test::TestFiles files;
 };
 
-// The facets with holes and regions, the size field and the bounds, as TetGen meshes them.
+// TetGen meshes facets with holes and regions, the size field and the bounds.
 TEST_F(TetgenTool, MeshesWhatWeWriteLikewise) {
   files.write("a/x.var", "2\n1 1 0.05\n2 9 0.1\n1\n1 1 2 0.125\n");
   std::string sizes = "28 1\n";
@@ -55,7 +55,7 @@ TEST_F(TetgenTool, MeshesWhatWeWriteLikewise) {
     EXPECT_EQ(run("a", switches, "x.poly", "x.1") == run("b", switches, "x.poly", "x.1"), true) << switches;
 }
 
-// Its mesh, with all files: refined by itself from ours as from its own.
+// TetGen refines a mesh from our files as it does from its own.
 TEST_F(TetgenTool, RefinesWhatWeWriteLikewise) {
   for (const char* second_order : {"", "o2"}) {
     fs::remove(files.path("a/x.1.vol"));
@@ -84,7 +84,7 @@ TEST_F(TetgenTool, SmeshLikewise) {
   EXPECT_EQ(run("a", "-pqAafeQ", "y.smesh", "y.1") == run("b", "-pqAafeQ", "y.smesh", "y.1"), true);
 }
 
-// Where TetGen puts the nodes between corners hangs on -f; in a document they are in the middle of their
+// TetGen's order of the nodes between corners depends on -f. In a document they are at the midpoints of their
 // edges.
 TEST_F(TetgenTool, NodesBetweenCorners) {
   for (const char* switches : {"-pqo2Q", "-pqo2feQ", "-pqo2fennQ"}) {
@@ -109,7 +109,8 @@ TEST_F(TetgenTool, NodesBetweenCorners) {
   }
 }
 
-// Both cells of a Voronoi face list it, and every point of a bounded edge is as far from both cells' nodes.
+// Both cells of a Voronoi face list it, and the points of a bounded edge have the same distance from the
+// nodes of both cells.
 TEST_F(TetgenTool, VoronoiDiagram) {
   std::string nodes = "30 3\n";
   for (int i = 0; i < 30; ++i)

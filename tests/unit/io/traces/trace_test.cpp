@@ -61,8 +61,8 @@ std::vector<Record> read_all(const std::string& path) {
   return records;
 }
 
-// If the second text equals the first one, every number has survived. The values below show that the text
-// means the right thing.
+// If both texts are equal, every number has survived. The values below show that the text means the right
+// thing.
 TEST(Trace, EveryRecordReadsBackEqual) {
   const TestFiles files;
   std::string text;
@@ -146,7 +146,7 @@ struct Case {
 const std::string insertion =
     R"({"record":"insertion","n":1,"tet":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"row":"1","replaced":[0,1,2,3],"point":[0,0,0],"e_avg":1})";
 
-// The line with one part of it replaced.
+// A line of the trace in which one part is replaced.
 std::string with(const std::string& part, const std::string& other, std::string line = insertion) {
   return line.replace(line.find(part), part.size(), other);
 }

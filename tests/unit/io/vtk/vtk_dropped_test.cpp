@@ -142,7 +142,7 @@ const std::vector<Case> of_vtu{
 
 INSTANTIATE_TEST_SUITE_P(Xml, DroppedByVtk, testing::ValuesIn(of_vtu), name_of);
 
-// Whether the mesh lacks elements: cells that are left out, not those that are cut or changed.
+// A mesh lacks the elements whose cells are left out, not those whose cells are cut or changed.
 TEST(CellsDroppedByVtk, AreElementsThatTheMeshLacks) {
   const test::TestFiles files;
   const Document document = read_document(files.write(

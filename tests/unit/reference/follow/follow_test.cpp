@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Following a trace: our own is admissible to the end, and every change of a decision is found where it is.
+// Following a trace: our own trace is admissible to its end, and every changed decision is found at its
+// record.
 #include "reference/follow/follow.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ class FollowTest : public testing::Test {
     return *made.follow;
   }
 
-  // The n-th record of a kind, from 0, to be changed.
+  // The position of the n-th record of a kind, from 0.
   template <class Kind>
   static std::size_t find(const std::vector<Record>& records, std::size_t n) {
     for (std::size_t i = 0; i < records.size(); ++i)

@@ -30,7 +30,7 @@ TEST(AgainstSurface, ExactReproduction) {
 }
 
 TEST(AgainstSurface, ExactReproductionMissesTheLastPlace) {
-  // The mesh's volume rounds to the surface's, but is not it: at fidelity 0 that counts.
+  // The mesh's exact volume rounds to the surface's but differs from it. At fidelity 0 that is a finding.
   TetMesh mesh = lattice_mesh({3, 3, 3});
   const TriangleSurface surface = boundary_surface(mesh);
   for (auto& p : mesh.points)
@@ -68,7 +68,7 @@ TEST(AgainstSurface, ACavityThatBelongsThere) {
   EXPECT_EQ(verify::verify(mesh)[Check::cavity].verdict, Verdict::warning)
       << "without a surface nobody knows";
 
-  TetMesh holed = mesh;  // one more: the smaller one is the finding
+  TetMesh holed = mesh;  // a second hole; the finding names the smaller one
   const Index corner = point_at(mesh, {1, 1, 1});
   ASSERT_LT(corner, 64);
   const TetMesh large = lattice_mesh({5, 5, 5}, [](Cell c) { return c != Cell{1, 1, 1}; });
@@ -95,13 +95,13 @@ TEST(AgainstSurface, Outside) {
   EXPECT_EQ(filled[Check::volume_surface].verdict, Verdict::fail);
   EXPECT_EQ(filled[Check::topology].verdict, Verdict::warning);
 
-  // A hollow solid: its cavity is outside too, and a component of the mesh.
+  // A hollow solid: its cavity is outside, too, and is a component of the outside mesh.
   const auto both = lattice_mesh({5, 5, 5}, [](Cell c) {
     const int ring = std::max({std::abs(c[0] - 2), std::abs(c[1] - 2), std::abs(c[2] - 2)});
     return ring != 1;
   });
   const TriangleSurface shell = together(box_surface({1, 1, 1}, 3), flipped(box_surface({2, 2, 2}, 1)));
-  // The surfaces' boxes are coarser than the lattice's faces; volumes and topology are the same.
+  // The boxes have fewer and larger triangles than the mesh's boundary. Volumes and topology are the same.
   const Report hollow = verify::verify(both, shell, {.region = Region::outside, .fidelity = 0, .voxels = 0});
   EXPECT_TRUE(sound(hollow)) << report_text(hollow);
   EXPECT_EQ(hollow[Check::volume_surface].measured, 0.0);
@@ -127,7 +127,7 @@ TEST(AgainstSurface, VoxelsDecideOutsideTheirError) {
   const Report wrong = verify::verify(block, larger, {.region = Region::inside, .check = {"volume-voxel"}});
   EXPECT_EQ(wrong[Check::volume_voxel].verdict, Verdict::fail);
   EXPECT_FALSE(sound(wrong));
-  // Too few voxels to tell 27 from 31.
+  // There are too few voxels to tell 27 from 31.
   const Report coarse =
       verify::verify(block, box_surface({-0.08, -0.08, -0.08}, 3.16),
                      {.region = Region::inside, .fidelity = 1e-6, .voxels = 8, .check = {"volume-voxel"}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The distances between a mesh and the surface that it should fill, its vertices and its normals.
+// The distances between a mesh and the surface that it should fill; surface vertices and normals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ TEST(Fidelity, AVertexOffTheSurfaceIsTheRoot) {
 }
 
 TEST(Fidelity, DecidesAsCloseAsDoublesDo) {
-  // Moved along x by exactly `by`: that is both distances.
+  // The mesh is moved along x by exactly `by`, so both distances are `by`.
   const TetMesh mesh = lattice_mesh({2, 2, 2});
   const double by = 0x1p-7, diagonal = std::sqrt(12);
   TetMesh moved = mesh;
@@ -150,7 +150,7 @@ TEST(Normals, ThinPlatesEdgesAndCornersAreNoFalseAlarm) {
 }
 
 TEST(Normals, FacesThatLookTheOtherWay) {
-  // A cavity one cell below the faces of a block: its faces look back at the block's.
+  // A cavity one cell below the faces of a block. Its faces are turned towards the block's.
   const TetMesh block = lattice_mesh({3, 3, 3}), holed = lattice_mesh({3, 3, 3}, [](Cell c) {
                                                    return c != Cell{1, 1, 1};
                                                  });

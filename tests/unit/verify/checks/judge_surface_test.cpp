@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge of surfaces: each fault with its whole message, and the real files with the values of their
+// The judge of surfaces: the whole message for each fault, and real files against the values of their
 // manifest.
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ namespace {
 using verify::judge_surface;
 using verify::SurfaceReport;
 
-// Vertices 0-3, all triangles outward.
+// A tetrahedron of vertices 0 to 3. All triangles are oriented outward.
 TriangleSurface tetrahedron() {
   return {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},

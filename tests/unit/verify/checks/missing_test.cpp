@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions that a mesh lacks or has too much: where, how large, and what follows from them.
+// Missing and excess regions of a mesh: where they are, how large they are, and which findings follow from
+// them.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -52,7 +53,7 @@ TEST(MissingRegion, OnlyWhatIsDeeperThanAllowed) {
                                                    return c != Cell{2, 2, 2};
                                                  });
   const double diagonal = std::sqrt(108);
-  for (const double depth : {0.4, 0.6}) {  // the cell's middle is 0.5 from the mesh
+  for (const double depth : {0.4, 0.6}) {  // the cell's centre is at distance 0.5 from the mesh
     const Report report =
         verify::verify(holed, boundary_surface(block),
                        {.region = Region::inside, .fidelity = depth / diagonal, .voxels = 101});
@@ -102,7 +103,8 @@ TEST(ExcessRegion, Outside) {
   EXPECT_EQ(right.volume.missing, 0.0);
   EXPECT_EQ(right.volume.excess, 0.0);
 
-  // A cell of the solid is meshed, too; and one around it is not, with the mesh's own boundary still closed.
+  // The outside mesh covers one cell of the solid, too. Or it lacks a cell of the outside, and its own
+  // boundary is still closed.
   const Report more = verify::verify(lattice_mesh({5, 5, 5},
                                                   [&](Cell c) {
                                                     return ring(c) > 1 || c == Cell{1, 2, 2};
@@ -122,7 +124,7 @@ TEST(ExcessRegion, Outside) {
 }
 
 TEST(MissingRegion, WhatIsCoveredTwiceIsNotMissing) {
-  // In two tetrahedra everywhere: parity sees nothing, the tetrahedra do.
+  // Every point is in two tetrahedra: counting crossings modulo two sees nothing, counting tetrahedra does.
   const TetMesh block = lattice_mesh({3, 3, 3});
   const Report report = verify::verify(together(block, block), boundary_surface(block),
                                        {.region = Region::inside, .voxels = 30});
@@ -143,7 +145,7 @@ TEST(MissingRegion, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST(MissingRegion, ASurfaceThatIsUsedAgainGivesTheSameReports) {
-  // The first mesh has the surface's box, and so its voxels; the second and third have others.
+  // The first mesh has the same box as the surface, and so the same voxels. The others have different ones.
   const TetMesh whole = lattice_mesh({4, 4, 4});
   const std::vector<TetMesh> meshes{lattice_mesh({4, 4, 4},
                                                  [](Cell c) {
@@ -161,7 +163,8 @@ TEST(MissingRegion, ASurfaceThatIsUsedAgainGivesTheSameReports) {
 }
 
 TEST(DeepVoxels, TheVolumeIsOffByNoMoreThanStated) {
-  // Inside a ball-like surface, deeper than d: its shrunken copy, which lies in voxels that are sure or not.
+  // The points that are deeper than d inside a cube form a smaller cube. Its volume is that of the certain
+  // voxels, up to the uncertain ones.
   const TriangleSurface cube = box_surface({0.013, -0.021, 0.034}, 2);
   const verify::TriangleSet set{cube.vertices, cube.triangles};
   const verify::TriangleTree tree(set, verify::units_of(std::span(&set, 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each component of the boundary against the one of the surface that it should be.
+// Compares each component of the mesh's boundary with the component of the surface that it should be.
 #include <gmock/gmock.h>
 
 #include "tests/support/meshes.hpp"
@@ -23,7 +23,7 @@ const auto around_the_middle = [](Cell c) { return c[0] != 1 || c[1] != 1; };
 const auto hollow = [](Cell c) { return c != Cell{1, 1, 1}; };
 
 TEST(Topology, GenusIsComparedComponentByComponent) {
-  // A ring and a block, and the same two with their places changed: the numbers alone are equal.
+  // A ring and a block, and the same two with exchanged places: the total numbers are equal.
   const TetMesh mesh =
       together(lattice_mesh({3, 3, 3}, around_the_middle), lattice_mesh({3, 3, 3}, {}, {5, 0, 0}));
   const TetMesh other =
@@ -63,7 +63,7 @@ TEST(Topology, CavitiesAreComponentsToo) {
   const Report holed = judged(shell, boundary_surface(full));
   ASSERT_EQ(holed[Check::topology].count, 1) << report_text(holed);
   EXPECT_THAT(holed[Check::topology].findings[0].what, HasSubstr("of 12 faces"));
-  // The core instead of the shell around it.
+  // The mesh fills the core instead of the shell around it.
   const Report core = judged(lattice_mesh({1, 1, 1}, {}, {1, 1, 1}), boundary_surface(shell));
   EXPECT_EQ(core[Check::topology].count, 2) << report_text(core);
 }

@@ -11,7 +11,8 @@ namespace {
 
 using verify::Report;
 
-// Cells of 1, six tetrahedra each, cell after cell as lattice_mesh makes them.
+// The region of each tetrahedron, given the region of each cell. lattice_mesh makes six tetrahedra per cell,
+// cell by cell.
 std::vector<std::int64_t> by_cell(std::initializer_list<std::int64_t> of_cell) {
   std::vector<std::int64_t> regions;
   for (const std::int64_t region : of_cell) regions.insert(regions.end(), 6, region);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What users read and what scripts read: keys, the file's numbers, same bytes for any number of threads.
+// Reports for users and for scripts: the keys, the numbers as the file has them, and the same bytes for any
+// number of threads.
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
@@ -74,7 +75,7 @@ TEST(Report, QualityOfAKuhnTetrahedron) {
   const verify::Quality q = *verify::verify(lattice_mesh({2, 1, 1})).quality;
   EXPECT_NEAR(q.dihedral_angles.min, 45, 1e-12);
   EXPECT_NEAR(q.dihedral_angles.max, 90, 1e-12);
-  EXPECT_NEAR(q.solid_angles.min, 1.0 / 48, 1e-15);  // three angles of 90, 60 and 45 degrees less pi, by 4 pi
+  EXPECT_NEAR(q.solid_angles.min, 1.0 / 48, 1e-15);  // (90 + 60 + 45 degrees - pi) / 4 pi
   EXPECT_EQ(q.tets, 12);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Overlaps that no single tetrahedron shows: parts of the mesh inside other parts.
+// Overlaps that no single tetrahedron shows: a part of the mesh is inside another part.
 #include <gmock/gmock.h>
 
 #include "tests/support/meshes.hpp"
+#include "tests/support/root_checks.hpp"
 #include "verify/verify.hpp"
 
 namespace tetproof::test {
@@ -10,14 +11,6 @@ namespace {
 
 using verify::Check;
 using verify::Report;
-
-std::vector<std::string> roots(const Report& report) {
-  std::vector<std::string> ids;
-  for (const auto& result : report.checks)
-    if (result.count > 0) ids.push_back(info(result.check).id);
-  return ids;
-}
-using Ids = std::vector<std::string>;
 
 const TetMesh large{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 1, 2, 3}}};
 

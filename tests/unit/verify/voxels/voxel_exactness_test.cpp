@@ -28,8 +28,8 @@ int orientation(const Vector& a, const Vector& b, const Vector& c) {
   return CGAL::sign(CGAL::determinant(a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()));
 }
 
-// Is p enclosed an odd number of times? Nothing if p is on the surface. The ray turns until it meets neither
-// edges nor vertices.
+// Whether the surface encloses p an odd number of times; nothing if p is on the surface. The ray turns until
+// it meets no edge and no vertex.
 std::optional<bool> enclosed(const std::vector<std::array<Point, 3>>& triangles, const Point& p) {
   for (const auto& t : triangles)
     if (orientation(t[0] - p, t[1] - p, t[2] - p) == 0 && Kernel::Triangle_3(t[0], t[1], t[2]).has_on(p))
@@ -46,7 +46,8 @@ std::optional<bool> enclosed(const std::vector<std::array<Point, 3>>& triangles,
         general = false;
         break;
       }
-      // The line goes through; ahead of p if the tetrahedron p a b c is turned as the ray sees the triangle.
+      // The line passes through the triangle. It does so in front of p if the tetrahedron p a b c has the
+      // orientation in which the ray sees the triangle.
       if (orientation(a, b, c) == ab) odd = !odd;
     }
     if (general) return odd;
@@ -55,7 +56,7 @@ std::optional<bool> enclosed(const std::vector<std::array<Point, 3>>& triangles,
   return std::nullopt;
 }
 
-// Do the boxes around the two tell them apart?
+// Whether the boxes around the two separate them.
 bool apart(const Kernel::Iso_cuboid_3& box, const std::array<Point, 3>& t) {
   for (int axis = 0; axis < 3; ++axis) {
     if (t[0][axis] < box.min()[axis] && t[1][axis] < box.min()[axis] && t[2][axis] < box.min()[axis])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The voxel account: its bound, its convergence, the shapes on which a flood fill goes wrong, and what must
-// not change it.
+// The voxel account: its bound and its convergence, shapes on which a flood fill would fail, and changes that
+// must not matter.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -64,7 +64,7 @@ TEST_P(VoxelBound, HoldsForEverySize) {
   for (const int n : {2, 3, 7, 16, 50, 128}) {
     const VoxelVolume volume = voxel_volume(surface, n);
     EXPECT_LE(std::abs(volume.inside - exact), volume.error_bound) << n;
-    // The voxels' counts are those of the sets, and they cover the box with a layer to spare.
+    // The numbers of voxels agree with the sets, and the voxels cover the box with at least one more layer.
     const std::vector<bool> all = flags(volume);
     std::int64_t inside = 0, met = 0;
     for (std::size_t i = 0; i < all.size(); i += 2) inside += all[i], met += all[i + 1];
@@ -102,14 +102,14 @@ TEST(VoxelVolume, BoundHoldsOnRandomSurfaces) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const TriangleSurface surface = corpus::random_closed_surface(seed);
     if (corpus::describe_random_surface(seed).find("scaled") != std::string::npos)
-      continue;  // nested alike: not the signed sum
+      continue;  // one body in the other with equal orientation: the volume is not the signed sum
     const VoxelVolume volume = voxel_volume(surface, 5 + static_cast<int>(seed % 30));
     EXPECT_LE(std::abs(volume.inside - polyhedron_volume(surface)), volume.error_bound) << "seed " << seed;
   }
 }
 
-// Counting centres is of second order on a sphere, whatever its place. A torus has whole circles where it is
-// level: there the planes of centres see a square root, which costs half an order.
+// Counting voxel centres converges with second order on a sphere, wherever it is. A torus is level along
+// whole circles. The planes of centres meet it there like a square root, which costs half an order.
 TEST(VoxelVolume, Converges) {
   const TriangleSurface sphere = surface_of("sphere:n=20000,x=0.1,y=0.2,z=0.3"),
                         torus = surface_of("torus:n=20000");
@@ -118,8 +118,8 @@ TEST(VoxelVolume, Converges) {
     const VoxelVolume s = voxel_volume(sphere, n), t = voxel_volume(torus, n);
     EXPECT_LT(std::abs(s.inside / of_sphere - 1), 2.0 / (n * n)) << n;
     EXPECT_LT(std::abs(t.inside / of_torus - 1), 4.0 / std::pow(n, 1.5)) << n;
-    // The bound: the voxels along the area, at most (|n_x| + |n_y| + |n_z| + ...) of them per voxel face,
-    // first order.
+    // The bound is of first order. It counts the voxels that meet the surface: at most (|n_x| + |n_y| + |n_z|
+    // + ...) for each area of one voxel face.
     EXPECT_LT(s.error_bound / of_sphere, 10.0 / n) << n;
     EXPECT_LT(t.error_bound / of_torus, 22.0 / n) << n;
   }
@@ -165,7 +165,7 @@ TEST(VoxelVolume, ShellThinnerThanAVoxel) {
 
 TEST(VoxelVolume, BottleWithANeckOfHalfAVoxel) {
   const TriangleSurface surface =
-      surface_of("bottle:m=6,wall=1,neck=0.25");         // the void: 4^3, and 0.25^2 of neck
+      surface_of("bottle:m=6,wall=1,neck=0.25");         // the void: 4^3, and a neck of 0.25^2
   const VoxelVolume volume = voxel_volume(surface, 12);  // voxels of 0.5
   EXPECT_EQ(volume.voxel_size, 0.5);
   EXPECT_NEAR(volume.inside, 216 - 64 - 0.0625, 0.25 * 216);
@@ -181,8 +181,8 @@ TEST(VoxelVolume, BottleWithANeckOfHalfAVoxel) {
   EXPECT_EQ(wrong, 0);
 }
 
-// A cube of 8 voxels, once with its faces in voxel planes, once with them through voxel centres (all ties),
-// cut in several ways.
+// A cube of 8 voxels along each edge. Its faces are in voxel planes, or pass through voxel centres, where
+// every decision is a tie. Cut in several ways.
 TEST(VoxelVolume, TiesAreCountedOnce) {
   const VoxelVolume any = voxel_volume(surface_of("box"), 8);
   ASSERT_EQ(any.voxel_size, 0.125);
@@ -195,8 +195,8 @@ TEST(VoxelVolume, TiesAreCountedOnce) {
       ASSERT_EQ(volume.voxel_size, 0.125);
       EXPECT_EQ(volume.inside_count, 512) << half << ' ' << n;
       EXPECT_EQ(volume.inside, 1) << half << ' ' << n;
-      // In planes: the layers on both sides of each face, 10^3 - 6^3. Through centres: the layer that has
-      // them, 9^3 - 7^3.
+      // In voxel planes: the layers on both sides of each face, 10^3 - 6^3. Through centres: the layer of
+      // these voxels, 9^3 - 7^3.
       EXPECT_EQ(volume.met_count, half == 0 ? 784 : 386) << half << ' ' << n;
     }
   }

@@ -91,7 +91,7 @@ TEST(BoundaryFacesInCells, FindWhatAskingAllFinds) {
 }
 
 TEST(Parametric, TheBoundaryOfAThinWingDoesNotCrossItself) {
-  // Without the guard of the boundary four pairs of its faces met here.
+  // Without the check of the boundary, four pairs of boundary faces intersected here.
   const Generation made =
       generate(corpus::make_surface("wing:naca=0012,n=5000"),
                {.cells = {64, 0, 0},
@@ -102,15 +102,16 @@ TEST(Parametric, TheBoundaryOfAThinWingDoesNotCrossItself) {
 }
 
 TEST(Parametric, AFirstGridsPointThatWouldCrossTheBoundaryStays) {
-  // An evaluator that throws each sheet of a thin plate through the other: inside, tetrahedra turn over;
-  // outside, where nothing lies between the sheets, only the boundary can tell.
+  // The evaluator moves each sheet of a thin plate to the other side of the other sheet. In an inside grid,
+  // tetrahedra would be inverted. In an outside grid there is nothing between the sheets, so only the
+  // boundary shows the fault.
   TriangleSurface plate = corpus::make_surface("box:x0=0,x1=8,y0=0,y1=8,z0=-0.5,z1=0.5,n=2");
   plate.parameters.clear();
   for (const auto& t : plate.triangles) {
     std::array<Eigen::Vector2d, 3> corners;
     for (int i = 0; i < 3; ++i) {
       const Vector3d& x = plate.vertices[t[i]];
-      corners[i] = {x.x() + (x.z() > 0 ? 100 : 0), x.y()};  // u tells the sheet
+      corners[i] = {x.x() + (x.z() > 0 ? 100 : 0), x.y()};  // u identifies the sheet
     }
     plate.parameters.push_back(corners);
   }

@@ -25,14 +25,15 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-// The closed form at a point of the surface; negative where nothing is claimed (the rim of a patch).
+// The closed form at a point of the surface. It is negative where the test claims nothing (the rim of a
+// patch).
 using ClosedForm = std::function<double(const Vector3d&)>;
 
 struct Errors {
   double median, largest, largest_curvature, outlier_ratio;
 };
 
-// Relative errors.
+// The relative errors at all vertices.
 Errors errors_of(const TriangleSurface& surface, const ClosedForm& exact) {
   const std::vector<double> found = absolute_curvatures(surface);
   std::vector<double> errors;
@@ -45,7 +46,7 @@ Errors errors_of(const TriangleSurface& surface, const ClosedForm& exact) {
           outlier_ratio(found)};
 }
 
-// f(x, y) over [-1, 1]^2, n x n squares, each cut in two.
+// The graph of f over [-1, 1]^2, as n x n squares that are cut in two.
 TriangleSurface patch(int n, const std::function<Vector3d(double, double)>& f) {
   TriangleSurface surface;
   for (int j = 0; j <= n; ++j)
@@ -89,9 +90,9 @@ TriangleSurface hull_of_random_points(int n, std::uint64_t seed) {
 
 struct Shape {
   const char* name;
-  std::vector<std::function<TriangleSurface()>> resolutions;  // each half as fine as the next
+  std::vector<std::function<TriangleSurface()>> resolutions;  // each with half the edge length of the last
   ClosedForm exact;
-  bool stars_are_symmetric = true;  // the neighbours of each vertex nearly come in opposite pairs
+  bool stars_are_symmetric = true;  // the neighbours of each vertex are nearly in opposite pairs
 };
 
 // |k1| + |k2| of the graph of f, from its derivatives.
@@ -155,7 +156,7 @@ TEST(Curvature, ConvergesOnStructuredTriangulations) {
       before = e;
     }
     EXPECT_LT(before.median, 5e-4) << shape.name;
-    if (!shape.stars_are_symmetric) {  // where its neighbours are no opposite pairs a vertex keeps its error
+    if (!shape.stars_are_symmetric) {  // a vertex without opposite pairs keeps its error
       EXPECT_GT(before.largest, 0.05) << shape.name;
       EXPECT_LT(before.largest, 0.2) << shape.name;
     }
@@ -215,8 +216,9 @@ TEST(Curvature, NumberingDoesNotMatter) {
   for (Index v = 0; v < n; ++v) EXPECT_EQ(found[n - 1 - v], expected[v]) << v;
 }
 
-// Three neighbours, two of them opposite to each other as seen along the normal: they do not determine c11,
-// and the second ring joins. The heights are those of a quadric, so that two rings give it back.
+// The vertex has three neighbours, and two of them are opposite to each other as seen along the normal. They
+// do not determine c11, so the second ring is used, too. The heights are those of a quadric, which two rings
+// reproduce.
 TEST(Curvature, SecondRingAtAVertexOfThreeTriangles) {
   const double c20 = 2 * std::sqrt(2.0), c11 = 0.5, c02 = 2;
   const auto on_quadric = [&](double x, double y) {
@@ -228,7 +230,7 @@ TEST(Curvature, SecondRingAtAVertexOfThreeTriangles) {
   surface.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 4, 2}, {2, 5, 3}, {3, 6, 1}};
   const double expected = c20 + c02;  // both curvatures are positive: c20 c02 > c11^2
   EXPECT_NEAR(absolute_curvatures(surface)[0], expected, 1e-7);
-  // Without the second ring's triangles nothing determines it.
+  // Without the second ring nothing determines c11.
   surface.triangles.resize(3);
   EXPECT_EQ(absolute_curvatures(surface)[0], 0);
 }

@@ -27,9 +27,8 @@ TEST(SolidAngle, OfKnownTetrahedra) {
   const double regular_angle = std::acos(23.0 / 27);  // at each vertex
   EXPECT_NEAR(std::tan(regular_angle / 2), smallest_solid_angle(regular), 1e-15);
   EXPECT_NEAR(solid_angle_of(smallest_solid_angle(regular)), regular_angle / (4 * std::numbers::pi), 1e-16);
-  // The corner of a cube: pi/2 at the right angle, and (pi/4 + pi/4 + arccos(1/sqrt 3) ... ) at the others by
-  // Girard: the dihedral angles there are pi/2 twice minus, arccos(1/sqrt 3) at the two edges of the slanted
-  // face.
+  // The solid angle at the right angle is pi/2. At each other vertex the dihedral angles are pi/2 and twice
+  // arccos(1/sqrt 3), and by Girard's theorem the solid angle is their sum minus pi.
   const double slanted = std::acos(1 / std::sqrt(3.0));
   const double other = std::numbers::pi / 2 + 2 * slanted - std::numbers::pi;
   EXPECT_NEAR(solid_angle_of(smallest_solid_angle(corner)), other / (4 * std::numbers::pi), 1e-16);
@@ -65,7 +64,7 @@ TEST(AspectRatio, IsTheSmallestHeightOverItsFace) {
 // A bipyramid over the triangle 0 1 2 with the apexes 3 (above) and 4 (below), as two or as three tetrahedra.
 struct Bipyramid {
   double above, below;
-  Vector3d over{0, 0, 0};  // where the apexes stand
+  Vector3d over{0, 0, 0};  // the place that the apexes are above and below
 
   std::vector<Vector3d> points() const {
     return {
@@ -87,7 +86,7 @@ TEST(Flips, FlatBipyramidGetsTwoTetrahedraAndATallOneThree) {
                three_of_tall = tall.as_three();
     ASSERT_EQ(possible_flips(two_of_flat, {0, 1}, criterion).size(), 1u);
     ASSERT_EQ(possible_flips(three_of_flat, {0, 1, 2}, criterion).size(), 1u);
-    // One way raises the smallest quality, the other lowers it by as much.
+    // One direction raises the smallest quality, the other one lowers it by the same amount.
     for (const Bipyramid& b : {flat, tall}) {
       const auto to_three = possible_flips(b.as_two(), {0, 1}, criterion)[0];
       const auto to_two = possible_flips(b.as_three(), {0, 1, 2}, criterion)[0];
@@ -127,7 +126,7 @@ TEST(Flips, OnlyWithinTheSet) {
 }
 
 TEST(Flips, OnlyOfStrictlyConvexHexahedra) {
-  // The apexes' edge passes the triangle outside, or through its side, exactly.
+  // The edge between the apexes passes outside the triangle, or exactly through its side, or just inside.
   const Bipyramid beside{1, 1, {-1.5, 0, 0}}, through_side{1, 1, {-1, 0, 0}},
       just_inside{1, 1, {std::nextafter(-1, 0), 0, 0}};
   EXPECT_TRUE(possible_flips(beside.as_two(), {0, 1}, Criterion::solid_angle).empty());
@@ -141,7 +140,8 @@ TEST(Flips, NotAroundAnEdgeOfFour) {
   TetMesh mesh{points, tets};
   ASSERT_EQ(exact_mesh::fault(mesh), "");
   const Triangulation grid(mesh, std::vector<std::uint8_t>(6, 0));
-  // Two neighbours make a pyramid over a flat square: not strictly convex. Three of four are no closed ring.
+  // Two neighbours form a pyramid over a flat square, which is not strictly convex. Three of four tetrahedra
+  // do not form a closed ring.
   EXPECT_TRUE(possible_flips(grid, {0, 1, 2, 3}, Criterion::solid_angle).empty());
 }
 
@@ -155,7 +155,7 @@ TEST(Flips, ExchangeKeepsTheVolumeAndConforms) {
     EXPECT_EQ(exact_mesh::volume6(grid.mesh()), volume);
     EXPECT_EQ(exact_mesh::fault(grid.mesh()), "");
     EXPECT_EQ(updated_set(all, flip, first).size(), from_two ? 3u : 2u);
-    // And back again.
+    // The reverse flip.
     const auto back = possible_flips(grid, updated_set(all, flip, first), Criterion::solid_angle).at(0);
     EXPECT_EQ(back.gain(), -flip.gain());
     EXPECT_EQ(back.face, flip.face);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (vi): eq. (3.5) through the queues is the literal choice, and the rules for stopping.
+// Step (vi): the queues find the literal choice of eq. (3.5), and insertion stops by its rules.
 #include "reference/engine/adaptation/insertion.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 namespace tetproof::reference {
 namespace {
 
-// The choice of eq. (3.5) by asking every tetrahedron, ties by the lowest number; those that would degenerate
-// left out.
+// The choice of eq. (3.5), found by asking every tetrahedron. Ties go to the lowest number. Tetrahedra whose
+// split would be degenerate are left out.
 std::optional<Candidate> by_brute_force(const WeightedGrid& grid) {
   std::array<std::optional<Candidate>, 5>
       least;  // by number of pieces: their changes are compared (reading D16)
@@ -103,7 +103,8 @@ TEST(Stopping, AtANumberOfPoints) {
   EXPECT_EQ(made.adaptation->insertions, 17);
   EXPECT_EQ(made.adaptation->stopped, Stop::points);
   EXPECT_EQ(made.mesh().points.size(), made.grid.mesh.points.size() + 17);
-  // The smallest height over the square root of the largest face, of some tetrahedron of the grid at the end.
+  // The smallest height over the square root of the largest face, for the worst tetrahedron of the final
+  // grid.
   double least = 1;
   for (const auto& [a, b, c, d] : made.mesh().tets) {
     const auto& x = made.mesh().points;
@@ -129,11 +130,11 @@ TEST(Stopping, AtAnAverageError) {
 }
 
 TEST(Stopping, WhereNoSplitLowersTheAverage) {
-  // One volume far above those of the grid: every split only makes it worse.
+  // The desired volume is far above all volumes of the grid: every split only makes it worse.
   const Generation made = adapted("sphere:n=500", 5, {.v0 = {50}, .v1 = {50}});
   EXPECT_EQ(made.adaptation->stopped, Stop::no_gain);
   EXPECT_EQ(made.adaptation->insertions, 0);
-  // Nor where it is 0 already: a cube of equal cells, each tetrahedron of the size it should have.
+  // The average is 0 already: in a cube of equal cells each tetrahedron has the desired size.
   const Generation perfect =
       generate(corpus::make_surface("box:x0=0,y0=0,z0=0,x1=4,y1=4,z1=4"),
                {.cells = {8, 0, 0}, .box_scale = 2, .adapt = AdaptOptions{.v0 = {1}, .v1 = {1}}});
@@ -142,7 +143,7 @@ TEST(Stopping, WhereNoSplitLowersTheAverage) {
 }
 
 TEST(Stopping, ByDilutionWhereV0IsFarBelowTheAverage) {
-  double smallest = 1;  // volume over what it should be, of the tetrahedra that were split
+  double smallest = 1;  // the volume over the desired volume, of the tetrahedra that were split
   const Generation made = adapted("sphere:n=500", 6, {.v0 = {0.001}, .v1 = {1}, .improve = Criterion::none});
   EXPECT_EQ(made.adaptation->stopped, Stop::dilution);
   const Generation past = adapted("sphere:n=500", 6,
@@ -162,7 +163,7 @@ TEST(Stopping, ByDilutionWhereV0IsFarBelowTheAverage) {
 }
 
 TEST(Stopping, WhereTheAverageHasSetNoNewMinimumForLong) {
-  // Driven by hand to splits that only raise the average, as flips may do.
+  // The test forces splits that only raise the average, as flips may do.
   const TriangleSurface surface = corpus::make_surface("sphere:n=500");
   const Generation first = generate(surface, {.cells = {5, 0, 0}});
   Insertion insertion(first.grid, surface, {.v0 = {50}, .v1 = {50}, .improve = Criterion::none}, nullptr, {});

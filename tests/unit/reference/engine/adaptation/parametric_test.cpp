@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading D12: points go to the true surface, and what that brings.
+// Reading D12: points are moved to the true surface, and how much closer the boundary comes to it.
 #include "reference/engine/adaptation/parametric.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(TrueSurface, AnEvaluatorWithoutAnAnswerLeavesThePoint) {
 }
 
 TEST(Parametric, NoTetrahedronTurnsOverAndEveryMoveIsCounted) {
-  // An evaluator that goes far astray: most moves would invert something.
+  // The evaluator is far off, so most moves would invert a tetrahedron.
   TriangleSurface surface = corpus::make_surface("sphere:r=1,n=300");
   const auto sphere = surface.evaluate;
   surface.evaluate = [sphere](const Eigen::Vector2d& uv) -> Vector3d { return -sphere(uv); };
@@ -67,7 +67,7 @@ TEST(Parametric, NoTetrahedronTurnsOverAndEveryMoveIsCounted) {
   EXPECT_EQ(exact_mesh::fault(made.mesh()), "");
 }
 
-// How far the centroids of the boundary's faces are from the true surface, on average and at most.
+// The mean and the largest distance of the boundary faces' centroids from the true surface.
 struct Distances {
   double mean = 0, worst = 0;
 };
@@ -93,8 +93,8 @@ Distances of_face_centroids(const TetMesh& mesh, double (*distance)(const Vector
 }
 
 TEST(Parametric, BoundaryFacesComeCloserToTheTrueSphere) {
-  // A coarse surface, so that its own facets show: without the parametric definition a finer lattice does not
-  // help.
+  // The surface is coarse, so its own facets are visible: without the parametric definition a finer lattice
+  // does not help.
   std::map<int, std::array<Distances, 2>> distances;
   for (const int cells : {6, 12, 24}) {
     for (const bool parametric : {false, true}) {

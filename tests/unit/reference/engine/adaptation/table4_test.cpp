@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table 4 and the triangulation that is split by it: each row on a cluster of tetrahedra built by hand.
+// Table 4 and the splits that it makes: each row on a cluster of tetrahedra built by hand.
 #include "reference/engine/adaptation/table4.hpp"
 
 #include <gtest/gtest.h>
@@ -14,16 +14,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The tetrahedron v1 v2 v3 v4 of the table, numbers 0 to 3, with a neighbour across each face in `shared` (a
-// face by the corner opposite to it) and a further tetrahedron at each edge in `touched` that shares no face
-// with it.
+// The tetrahedron v1 v2 v3 v4 of the table has the numbers 0 to 3. It has a neighbour across each face in
+// `shared` (a face is named by the opposite corner). Each edge in `touched` belongs to a further tetrahedron
+// that shares no face with it.
 struct Cluster {
   std::vector<Index> surface;
   std::vector<int> shared;
   std::vector<std::array<Index, 2>> touched;
 };
 
-// By length the edges are 1 2, 1 3, 0 1, 2 3, 0 2, 0 3; by area the faces 1 2 3, 0 1 2, 0 1 3, 0 2 3.
+// From long to short the edges are 1 2, 1 3, 0 1, 2 3, 0 2, 0 3. From large to small the faces are 1 2 3, 0 1
+// 2, 0 1 3, 0 2 3.
 const std::vector<Vector3d> corners{{0, 0, 0}, {10, 0, 0}, {0, 8, 0}, {1, 1, 6}};
 
 Triangulation build(const Cluster& cluster) {
@@ -89,7 +90,7 @@ TEST_P(Table4, LeavesAConformingTriangulationOfTheSameVolume) {
   EXPECT_EQ(exact_mesh::fault(grid.mesh()), "");
   const double ratio = static_cast<double>(exact_mesh::volume6(grid.mesh()) / before);
   EXPECT_NEAR(ratio, 1, 1e-15);
-  // Whoever was a neighbour still is, of a piece.
+  // Every neighbour is now the neighbour of a piece.
   for (Index t = 1; t < grid.numbers(); ++t)
     for (int f = 0; grid.alive(t) && f < 4; ++f)
       EXPECT_TRUE(grid.neighbour(t, f) < 0 || grid.alive(grid.neighbour(t, f)));
@@ -127,13 +128,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.title; });
 
 TEST(Table4Ties, GoToTheLowestNumbers) {
-  // A regular tetrahedron alone: six edges of one length.
+  // A regular tetrahedron without neighbours: its six edges have the same length.
   const TetMesh regular{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{3, 2, 0, 1}}};
   const auto& x = regular.points;
   ASSERT_GT(orientation(x[3], x[2], x[0], x[1]), 0);
   const Triangulation grid(regular, {1, 1, 1, 1});
   const Split split = split_by_table4(grid, 0);
-  EXPECT_EQ(split.replaced[0], 2);  // the corners of points 0 and 1
+  EXPECT_EQ(split.replaced[0], 2);  // the positions of points 0 and 1
   EXPECT_EQ(split.replaced[1], 3);
   EXPECT_EQ(splits_by_table4(grid, 0, 1e-12).size(), 6u);
 }

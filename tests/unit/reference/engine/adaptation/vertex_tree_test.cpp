@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. (3.2) through the k-d tree: what going through all vertices gives.
+// Eq. (3.2): the k-d tree finds the same vertex as a search through all vertices.
 #include "reference/engine/adaptation/vertex_tree.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Through all vertices; ties by coordinates.
+// Searches all vertices. Ties go to the smallest coordinates.
 std::pair<Index, double> by_brute_force(const std::vector<Vector3d>& vertices, const Vector3d& p) {
   const auto key = [&](Index v) {
     const Vector3d d = p - vertices[v];
@@ -53,7 +53,7 @@ TEST(VertexTree, TiesGoToTheLexicographicallySmallest) {
         const Vector3d p(x + 0.5, y + 0.5, z + 0.5);
         EXPECT_EQ(tree.distance(p), std::sqrt(0.75));
         EXPECT_EQ(grid[tree.nearest(p, tree.distance(p))], Vector3d(x, y, z));
-        // A difference of rounding is none.
+        // Differences within rounding count as ties.
         const Vector3d off = p + Vector3d(1e-14, 2e-14, 1e-14);
         EXPECT_EQ(grid[tree.nearest(off, tree.distance(off))], Vector3d(x, y, z));
       }

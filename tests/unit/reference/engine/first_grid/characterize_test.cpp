@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps (ii) and (iii) against brute force in rational arithmetic, on surfaces that hit the lattice on
-// purpose and on random ones.
+// Steps (ii) and (iii) against brute force in rational arithmetic, on surfaces that deliberately hit the
+// lattice and on random ones.
 #include <gtest/gtest.h>
 
 #include "corpus/surfaces.hpp"
@@ -21,10 +21,10 @@ struct Example {
   const char* spec;
   std::array<int, 3> cells;
   double box_scale;
-  int least_on_surface;  // lattice vertices that lie on the surface, at least
+  int least_on_surface;  // at least so many lattice vertices lie on the surface
 };
 
-// A body of 2 or 4 cells in a box scaled by 2, with 4 or 8 cells: its faces lie in lattice planes exactly.
+// A body of 2 or 4 cells in a box scaled by 2, with 4 or 8 cells, has its faces exactly in lattice planes.
 const Example examples[] = {
     {"CubeInLatticePlanes", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4", {8, 8, 8}, 2, 98},
     {"CubeBesideLatticePlanes", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4", {6, 6, 6}, 1.5, 1},
@@ -108,8 +108,8 @@ TEST_P(Classification, PointsOfTheInsideTest) {
     return static_cast<int>((state = state * 6364136223846793005u + 1442695040888963407u) >> 33) % n;
   };
   for (int trial = 0; trial < 300; ++trial) {
-    // Lattice points, middles of edges and centroids of lattice tetrahedra: on the surface as often as may
-    // be.
+    // Lattice points, midpoints of edges and centroids of lattice tetrahedra, to be on the surface as often
+    // as possible.
     const Eigen::Vector3d a =
         lattice.point(draw(lattice.cells[0]), draw(lattice.cells[1]), draw(lattice.cells[2]));
     const Eigen::Vector3d h = lattice.point(1, 1, 1) - lattice.point(0, 0, 0);
@@ -133,7 +133,9 @@ TEST_P(Classification, NearVerticesAreThoseWithinTheRadius) {
                                 .squaredNorm());
     const auto at = by_vertex.find(v);
     ASSERT_EQ(at != by_vertex.end(), best < radius * radius) << v;
-    if (at != by_vertex.end()) EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28) << v;
+    if (at != by_vertex.end()) {
+      EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28) << v;
+    }
   }
 }
 
@@ -150,7 +152,7 @@ TEST(ClosestPoint, EveryRegionOfATriangle) {
       EXPECT_EQ(closest_point({t[order[0]], t[order[1]], t[order[2]]}, p), expected) << p.transpose();
 }
 
-// Table 3 on single edges: a lattice of one cell, indicators and points given by hand.
+// Table 3 on a single edge: a lattice of one cell, with indicators and points given by hand.
 struct Table3Case {
   const char* name;
   std::int8_t low, high;
@@ -189,8 +191,9 @@ TEST(Table3Applied, EachRow) {
       EXPECT_EQ(result.table3[r], one.row && tables::table3[r].name == one.row ? 1 : 0)
           << one.name << " row " << tables::table3[r].name;
     ASSERT_EQ(static_cast<int>(result.cuts.points.size()), one.cuts) << one.name;
-    if (one.cuts)
+    if (one.cuts) {
       EXPECT_EQ(result.cuts.points[0].x(), 0.25) << one.name << ": the point closest to the exterior end";
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step (iv) on lattices with indicators and cuts drawn at random, surfaces or not: neighbours match,
-// tetrahedra are positive, numbers are D3's.
+// Step (iv) on lattices with random indicators and cuts, whether or not a surface could give them: neighbours
+// match, tetrahedra are positive, and numbers follow reading D3.
 #include "reference/engine/first_grid/extract.hpp"
 
 #include <gtest/gtest.h>
@@ -24,12 +24,12 @@ Lattice unit_lattice(std::array<int, 3> cells) {
 }
 
 struct Draw {
-  bool zeros = false;          // vertices on the surface, settled
+  bool zeros = false;          // settled vertices on the surface
   bool zeros_changed = false;  // vertices that were 0 and that Table 3 changed (reading D7)
 };
 
-// Any signs; a cut anywhere on each edge between -1 and +1, at multiples of 1/64 so that arithmetic on them
-// stays exact.
+// Any signs. Each edge between -1 and +1 has a cut at a random multiple of 1/64, so that arithmetic with cuts
+// is exact.
 Indicators random_indicators(const Lattice& lattice, std::mt19937_64& random, Draw draw) {
   Indicators indicators;
   for (Vertex v = 0; v < lattice.vertices(); ++v) {
@@ -74,8 +74,7 @@ Grid extract_all(const Lattice& lattice, const Indicators& indicators, Diagonals
   return extract(lattice, indicators, {}, diagonals, [=](const Eigen::Vector3d&) { return keep_case_5; });
 }
 
-// Lattice faces lie in x, y or z = integer, or x = y (+ integer) and so on: a boundary face must lie on the
-// box or on the surface.
+// Whether a face lies on the box. A boundary face must lie on the box or on the surface.
 bool on_box(const Lattice& lattice, const TetMesh& mesh, const std::array<Index, 3>& face) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {0.0, static_cast<double>(lattice.cells[axis])})
@@ -127,7 +126,8 @@ TEST(Extract, InsideAndOutsideTogetherAreTheBox) {
     const Indicators indicators = random_indicators(lattice, random, {.zeros = true});
     const Grid inside = extract_all(lattice, indicators, Diagonals::lowest, true);
     const Grid outside = extract_all(lattice, flipped(indicators), Diagonals::lowest, false);
-    // One mesh of both, points identified by what they were made from.
+    // Joins both into one mesh. Points are the same if they were made from the same vertex, edge or
+    // tetrahedron.
     TetMesh both = inside.mesh;
     std::map<std::pair<Origin, std::int64_t>, Index> known;
     for (std::size_t p = 0; p < inside.mesh.points.size(); ++p)
@@ -151,14 +151,14 @@ TEST(Extract, InsideAndOutsideTogetherAreTheBox) {
   }
 }
 
-// One cell, vertex 7 inside, by hand: six tetrahedra of case 6, one on each lattice tetrahedron.
+// One cell whose vertex 7 is inside, by hand: each lattice tetrahedron gives one tetrahedron of case 6.
 TEST(Extract, OneInteriorCornerByHand) {
   const Lattice lattice = unit_lattice({1, 1, 1});
   Indicators indicators;
   indicators.sign = {-1, -1, -1, -1, -1, -1, -1, 1};
   indicators.initial = indicators.sign;
-  // The edges to vertex 7 come from 0 (direction 7), 1 (6), 2 (5), 3 (4), 4 (3), 5 (2) and 6 (1), each cut in
-  // its middle.
+  // The edges to vertex 7 come from 0 (direction 7), 1 (6), 2 (5), 3 (4), 4 (3), 5 (2) and 6 (1). Each is cut
+  // at its midpoint.
   indicators.cuts.directions = {1 << 7, 1 << 6, 1 << 5, 1 << 4, 1 << 3, 1 << 2, 1 << 1, 0};
   for (Vertex v = 0; v < 8; ++v) {
     indicators.cuts.first.push_back(static_cast<std::uint32_t>(v));
@@ -168,8 +168,8 @@ TEST(Extract, OneInteriorCornerByHand) {
     }
   }
   const Grid grid = extract_all(lattice, indicators, Diagonals::lowest);
-  // Point 0 is vertex 7, point 1 + v the cut on the edge from v. Row 6 is (v1, p12, p13, p14) with v1 = 7 and
-  // v2 < v3 < v4.
+  // Point 0 is vertex 7. Point 1 + v is the cut on the edge from v. Row 6 is (v1, p12, p13, p14) with v1 = 7
+  // and v2 < v3 < v4.
   const std::vector<std::array<Index, 4>> expected{{0, 1, 2, 4}, {0, 1, 6, 2}, {0, 1, 4, 3},
                                                    {0, 1, 3, 7}, {0, 1, 5, 6}, {0, 1, 7, 5}};
   std::vector<std::array<Index, 4>> sorted_found, sorted_expected;
