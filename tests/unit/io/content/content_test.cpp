@@ -82,6 +82,12 @@ TEST(Content, RecognisesEveryVersionAndForm) {
       {"$NOD\n0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", "msh1"},
       {"\xEF\xBB\xBFOFF 0 0 0\n", "off"},
       {"# a comment\nOFF0 0 0\n", "off"},
+      {"# vtk DataFile Version 3.0\nOFF\n0 0 0\n", "off"},  // VTK's third line is ASCII or BINARY
+      {"# vtk DataFile Version 3.0\n# title\n# ASCII\nv 1 2 3\n", "obj"},
+      {"# vtk DataFile Version 3.0\nby hand\n", "no format"},
+      {"# VTK datafile version 2.0\r\nby hand\r\n \tAscii\r\nDATASET UNSTRUCTURED_GRID\r\nPOINTS 0 float\r\n",
+       "vtk"},
+      {"# vtk DataFile Version 2.0\n\n\nbinary\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n", "vtk"},
       {"STCNOFF\n0 0 0\n", "off"},
       {"solid x\n facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
        "0\nendloop\nendfacet\n",
