@@ -465,6 +465,27 @@ for name in ('a.stl', 'b.stl', 'a.obj', 'a.ply', 'b.ply', 'a.off'):
           "a.ply 4 [('triangle', 2)] 4.5\nb.ply 4 [('triangle', 2)] 4.5\na.off 4 [('triangle', 2)] 4.5\n");
 }
 
+// Also where only the surface is read.
+TEST(StlAsASurface, SaysTheSameOfNormalsAndCounts) {
+  const test::TestFiles files;
+  std::string without_count = binary_stl("", 0, -1);
+  without_count[80] = 0;
+  for (const std::string& bytes : {"solid\nfacet normal 0 0 -2" + facet.substr(18) + other_facet,
+                                   binary_stl("", 0, -1), without_count, binary_stl("", 0)}) {
+    const std::string path = files.write("a.stl", bytes);
+    const SurfaceFile surface = read_surface_file(path);
+    const Document document = read_document(path);
+    EXPECT_EQ(surface.warnings, document.warnings);
+    ASSERT_EQ(surface.dropped.size(), document.dropped.size());
+    for (std::size_t k = 0; k < surface.dropped.size(); ++k) {
+      EXPECT_EQ(surface.dropped[k].item, document.dropped[k].item);
+      EXPECT_EQ(surface.dropped[k].count, document.dropped[k].count);
+      EXPECT_EQ(surface.dropped[k].example, document.dropped[k].example);
+    }
+    EXPECT_EQ(surface.dropped.size(), bytes == binary_stl("", 0) ? 0u : 1u);
+  }
+}
+
 // Every sample that is read comes back from its own format.
 TEST(SurfaceDocuments, SamplesComeBack) {
   const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) / ".." / "shared";
