@@ -101,6 +101,10 @@ TEST(Convert, UsageAndInput) {
   EXPECT_EQ(
       said({"bad.msh", "b.msh"}),
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");
+  folder.write("lie.mesh", "$MeshFormat\n4.1 0\n");
+  EXPECT_EQ(said({"lie.mesh", "b.msh"}),
+            "tetproof-convert: lie.mesh:3: expected the size of a number in bytes, found the end of the file "
+            "(read as a Gmsh .msh 4.1 file because of its content, though its name ends in .mesh)\n");
   EXPECT_EQ(said({"none.msh", "b.msh"}),
             "tetproof-convert: none.msh: cannot open: No such file or directory\n");
   folder.write("c.xyz", "hello\n");
@@ -110,7 +114,7 @@ TEST(Convert, UsageAndInput) {
       "tetproof-convert: c.xyz: unknown ending, and the content tells no format; expected one of .msh .node "
       ".ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl "
       ".off .obj .ply");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh", "c.xyz"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh", "c.xyz", "lie.mesh"}));
 }
 
 TEST(Convert, HelpNamesEveryEndingThatIsRead) {
