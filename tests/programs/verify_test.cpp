@@ -99,6 +99,19 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
   EXPECT_EQ(report({"cube.node"}, 0)["not_judged"], json::array());
 }
 
+// The second $Elements is behind a word that is no section, so that it is not read.
+TEST_F(Verify, AMeshWithNumbersBehindTheLastSectionIsIncomplete) {
+  const std::string sections =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n";
+  files.write("more.msh", sections + "more\n$Elements\n1\n2 4 2 1 1 1 3 2 4\n$EndElements\n");
+  const Outcome more = run({"more.msh"});
+  EXPECT_EQ(more.exit_code, 4) << more;
+  EXPECT_THAT(more.out, HasSubstr("; not judged: 48 bytes behind the last section (not read: byte "));
+  files.write("text.msh", sections + "by hand\n");
+  EXPECT_EQ(run({"text.msh"}).exit_code, 0);
+}
+
 TEST_F(Verify, ACrackedMesh) {
   // The first tetrahedron with four points of its own: its two inner faces are not shared.
   files.write("cracked.node",
