@@ -2,6 +2,7 @@
 #include "io/model/element_types.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace tetproof::io {
@@ -70,6 +71,16 @@ const ElementType* element_type(int type) {
   const auto* found = std::lower_bound(std::begin(types), std::end(types), type,
                                        [](const ElementType& a, int b) { return a.type < b; });
   return found != std::end(types) && found->type == type ? found : nullptr;
+}
+
+const char* name_of_elements(int type) {
+  static constexpr const char* names[] = {"points",    "lines",  "triangles", "quadrangles", "tetrahedra",
+                                          "hexahedra", "prisms", "pyramids",  "polygons",    "elements"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Shape::other) + 1);
+  if (type == polygon) return "polygons";
+  if (type == polyhedron) return "polyhedra";
+  const ElementType* known = element_type(type);
+  return names[static_cast<std::size_t>(known ? known->shape : Shape::other)];
 }
 
 }  // namespace tetproof::io

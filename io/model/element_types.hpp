@@ -28,6 +28,9 @@ struct ElementType {
 /// The type with Gmsh's number `type`; null if it is unknown or if its number of nodes varies.
 const ElementType* element_type(int type);
 
+/// What elements of this type are called: "tetrahedra", "polygons"; "elements" if there is no such word.
+const char* name_of_elements(int type);
+
 inline constexpr int point1 = 15, line2 = 1, line3 = 8, triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4,
                      triangle6 = 9, tetrahedron10 = 11;
 /// A polygon with any number of nodes. `element_type` does not know it, because each block gives the number.

@@ -10,6 +10,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
@@ -51,9 +52,9 @@ std::optional<Binary> binary_form(const InputFile& file) {
   if (announced == facets && facets > 0) return Binary{facets, trailing};
   // No text has a zero byte: this is a binary file that lost its end, or its count.
   if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
-    throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} facets announced here, found {}",
-                                 file.path(), stl_header_bytes + stl_facet_bytes * announced, announced,
-                                 bytes.size()));
+    throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} announced here, found {}",
+                                 file.path(), stl_header_bytes + stl_facet_bytes * announced,
+                                 counted(announced, "facets"), bytes.size()));
   return {};
 }
 
@@ -135,7 +136,8 @@ class Reader {
       if (++vertices <= 3) points_.push_back(point);
     }
     if (!is_end(word, "loop", scanner)) scanner.fail("'vertex' or 'endloop'", word);
-    if (vertices != 3) scanner.fail_in_line(fmt::format("facet has {} vertices, expected 3", vertices));
+    if (vertices != 3)
+      scanner.fail_in_line(fmt::format("facet has {}, expected 3", counted(vertices, "vertices")));
     if (word = scanner.word(); !is_end(word, "facet", scanner)) scanner.fail("'endfacet'", word);
     check_normal(normal, place);
   }

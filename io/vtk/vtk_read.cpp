@@ -7,6 +7,7 @@
 #include <set>
 
 #include "io/bytes/tokens.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
@@ -113,8 +114,8 @@ class Reader {
     in_.integers(types, static_cast<std::size_t>(count));
     types_ = std::move(types.integers);
     if (types_.size() != piece_.ends.size())
-      in_.fail_in_line(
-          fmt::format("expected the types of {} cells, found {}", piece_.ends.size(), types_.size()));
+      in_.fail_in_line(fmt::format("expected the types of {}, found {}", counted(piece_.ends.size(), "cells"),
+                                   types_.size()));
   }
 
   // Appends vertices, lines, polygons and strips: the cell data come in this order.
@@ -251,8 +252,8 @@ class Reader {
       else if (items == items_)
         take(std::move(column));
       else
-        in_.fail_in_line(
-            fmt::format("array \"{}\": expected {} tuples, found {}", column.name, items_, items));
+        in_.fail_in_line(fmt::format("array \"{}\": expected {}, found {}", column.name,
+                                     counted(items_, "tuples"), items));
     }
   }
 

@@ -151,11 +151,11 @@ TEST(Convert, Info) {
   EXPECT_NE(run.out.find("a.msh: msh41\n"
                          "         4 nodes, numbered 10 to 40\n"
                          "           in (0, 0, 0) to (1, 1, 1)\n"
-                         "         1 elements, numbered 1 to 1\n"
+                         "         1 element, numbered 1 to 1\n"
                          "         1 of them tetrahedron of 4 nodes (Gmsh's type 4)\n"
-                         "         1 entities of dimension 3\n"
-                         "         1 elements in group 7 of dimension 3 \"steel\"\n"
-                         "         1 elements in group 8 of dimension 3\n"),
+                         "         1 entity of dimension 3\n"
+                         "         1 element in group 7 of dimension 3 \"steel\"\n"
+                         "         1 element in group 8 of dimension 3\n"),
             std::string::npos)
       << run;
 }

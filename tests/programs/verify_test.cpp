@@ -55,7 +55,7 @@ TEST_F(Verify, SecondOrderByCorners) {
   EXPECT_EQ(second["mesh"]["tets"], 1);
   EXPECT_EQ(second["certificate"], true);
   ASSERT_EQ(second["notes"].size(), 1);
-  EXPECT_EQ(second["notes"][0], "1 tetrahedra of second or higher order are judged by their corners");
+  EXPECT_EQ(second["notes"][0], "1 tetrahedron of second or higher order is judged by its corners");
 }
 
 TEST_F(Verify, ADefectiveMesh) {
@@ -87,7 +87,7 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
       "5 12 11 4\n8 4 2 1 1 13 14 15 16\n$EndElements\n");
   const Outcome outcome = run({"mixed.msh"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedra (only "
+  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedron (only "
                                      "tetrahedra are judged; the first is element 7)\n"));
   const json mixed = report({"mixed.msh"}, 4);
   EXPECT_EQ(mixed["verdict"], "incomplete");

@@ -2,6 +2,9 @@
 // The table of element types against the number of nodes that a complete element of its order has.
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/model/element_types.hpp"
@@ -67,6 +70,14 @@ TEST(ElementTypes, NamesOnlyWhatHasAKnownNumberOfNodes) {
   for (int polygon_or_polyhedron : {34, 35, 69}) EXPECT_FALSE(element_type(polygon_or_polyhedron));
   for (int none : {-1, 0, 76, 77, 78, 141, 1 << 30}) EXPECT_FALSE(element_type(none));
   EXPECT_EQ(element_type(15)->nodes, 1);
+}
+
+TEST(ElementTypes, HaveAWord) {
+  const std::vector<std::pair<int, std::string>> words{
+      {15, "points"},     {8, "lines"},      {9, "triangles"},  {16, "quadrangles"},
+      {11, "tetrahedra"}, {5, "hexahedra"},  {13, "prisms"},    {7, "pyramids"},
+      {34, "polygons"},   {35, "polyhedra"}, {132, "elements"}, {-1, "elements"}};
+  for (const auto& [type, word] : words) EXPECT_EQ(name_of_elements(type), word) << type;
 }
 
 }  // namespace

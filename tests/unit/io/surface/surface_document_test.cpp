@@ -168,7 +168,7 @@ const std::vector<Case> cases{
      "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 1 .5 1\n1 0 0 0 1 0 2 3 4 0 0\n0 1 0 1 0 -0 5 6 300 1 1\n3 0 1 2\n",
      "e2: 0 1 2\nnode normal x3: 0 0 1 0 1 0 1 0 -0\nnode color x3 i: 255 0 1 2 3 4 5 6 300\n"
      "node texture x2: 0.5 1 0 0 1 1\n",
-     {"a.off: 1 numbers in colours of vertices are outside of 0 to 255"}},
+     {"a.off: 1 number in colours of vertices is outside of 0 to 255"}},
     {"OffWholeReals", "a.off", "OFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 0 1\n0 1 0 1 1 1\n3 0 1 2\n",
      "e2: 0 1 2\nnode color x3: 1 0 0 0 0 1 1 1 1\n"},
     {"OffUnknownVertex", "a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n", "e2: 0 1 9\n"},
