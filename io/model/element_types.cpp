@@ -67,9 +67,9 @@ static_assert(std::is_sorted(std::begin(types), std::end(types),
 
 }  // namespace
 
-const ElementType* element_type(int type) {
+const ElementType* element_type(std::int64_t type) {
   const auto* found = std::lower_bound(std::begin(types), std::end(types), type,
-                                       [](const ElementType& a, int b) { return a.type < b; });
+                                       [](const ElementType& a, std::int64_t b) { return a.type < b; });
   return found != std::end(types) && found->type == type ? found : nullptr;
 }
 

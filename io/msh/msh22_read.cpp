@@ -142,8 +142,7 @@ class ElementReader {
     elements_.set_type(number);
     if (number == number_) return;
     number_ = number;
-    type_ = number < 0 || number > std::numeric_limits<int>::max() ? nullptr
-                                                                   : element_type(static_cast<int>(number));
+    type_ = element_type(number);
     if (number < 0 || number > std::numeric_limits<int>::max())
       in_.fail(fmt::format("expected an element type, found {}", number));
   }

@@ -165,7 +165,7 @@ class Reader {
       go_to(numbers.offset());
       return;
     }
-    const std::int64_t count = in_.count("the number of nodes", format_.binary ? 28 : 8);
+    const std::int64_t count = in_.count("the number of nodes", format_.binary ? node_bytes22 : 8);
     if (format_.binary) in_.next_line();
     Numbers numbers = numbers_here();
     if (document_.format == "msh3")

@@ -68,7 +68,8 @@ TEST(ElementTypes, CompleteOnesOfEachOrder) {
 
 TEST(ElementTypes, NamesOnlyWhatHasAKnownNumberOfNodes) {
   for (int polygon_or_polyhedron : {34, 35, 69}) EXPECT_FALSE(element_type(polygon_or_polyhedron));
-  for (int none : {-1, 0, 76, 77, 78, 141, 1 << 30}) EXPECT_FALSE(element_type(none));
+  for (std::int64_t none : {-1L, 0L, 76L, 77L, 78L, 141L, 1L << 30, 4L + (1L << 32), -4L})
+    EXPECT_FALSE(element_type(none));
   EXPECT_EQ(element_type(15)->nodes, 1);
 }
 
