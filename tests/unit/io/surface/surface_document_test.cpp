@@ -12,6 +12,7 @@
 
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "io/surface_files.hpp"
 #include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 #include "tests/unit/io/surface/surface_document_text.hpp"
