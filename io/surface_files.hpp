@@ -19,8 +19,9 @@ struct SurfaceFile {
 };
 
 /// Reads the faces of a file of any format as `surface_of(read_document(path, options))` does; see there.
-/// Values (colours, normals, texture coordinates) and lines are not read, and are not in `dropped`.
-/// Degenerate triangles, and vertices that no triangle uses, are kept: `verify/surface.hpp` judges them.
+/// Values (colours, normals, texture coordinates) and lines are not read, and are not in `dropped`. Normals
+/// of STL that point against the order of a facet's corners are in it. Degenerate triangles, and vertices
+/// that no triangle uses, are kept: `verify/surface.hpp` judges them.
 ///
 /// InputError with file, place, what was expected and what was found. The place is the line or byte in .stl,
 /// .off, .obj, .ply, .poly and .smesh, and else the element's number.

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 
 namespace tetproof {
@@ -117,15 +118,15 @@ std::int64_t Scanner::count(const char* expected, std::size_t least_bytes_each, 
   const std::size_t most = remaining() / least_bytes_each + 1;  // the last item may lack its line end
   if (value < 0) fail_in_line(fmt::format("expected {}, found {}", expected, value));
   if (static_cast<std::size_t>(value) > most)
-    fail_in_line(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value,
-                             remaining()));
+    fail_in_line(fmt::format("expected {}, found {}, more than the {} left can hold", expected, value,
+                             io::counted(remaining(), "bytes")));
   return value;
 }
 
 std::string_view Scanner::raw(std::size_t size, const char* expected) {
   if (size > remaining())
-    fail_at_byte(fmt::format("expected {} ({} bytes), found {} bytes and the end of the file", expected, size,
-                             remaining()));
+    fail_at_byte(fmt::format("expected {} ({}), found {} and the end of the file", expected,
+                             io::counted(size, "bytes"), io::counted(remaining(), "bytes")));
   const std::string_view found = bytes_.substr(at_, size);
   at_ += size;
   return found;

@@ -35,8 +35,14 @@ std::optional<Content> gmsh(std::string_view bytes) {
                  {}};
 }
 
+// The first line of a VTK file is a comment for OFF and OBJ, so the third line counts, too. The second is any
+// text.
 std::optional<Content> vtk(std::string_view bytes) {
-  if (!lower_case(head_text(bytes).substr(0, 22)).starts_with("# vtk datafile version")) return {};
+  Scanner scanner = head_scanner(bytes);
+  if (!lower_case(scanner.rest_of_line()).starts_with("# vtk datafile version")) return {};
+  for (int line = 0; line < 2; ++line) scanner.next_line();
+  const std::string form = lower_case(scanner.word());
+  if (form != "ascii" && form != "binary") return {};
   return Content{"vtk", "a legacy VTK file", {}};
 }
 

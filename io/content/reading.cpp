@@ -35,6 +35,23 @@ std::string format_of_ending(const std::string& ending) {
                   file.is_named() ? fmt::format("; through Gmsh {}", fmt::join(gmsh_endings(), " ")) : ""));
 }
 
+// Reads a file whose content overrules its ending. Both the warning and an error say so.
+ReadDocument read_against_ending(const Content& content, const std::string& ending, const InputFile& file,
+                                 Wanted wanted) {
+  const std::string note =
+      fmt::format(" (read as {} because of its content, though its name ends in {})", content.what, ending);
+  try {
+    ReadDocument read = read_as(content.format, file, wanted);
+    read.document.warnings.insert(
+        read.document.warnings.begin(),
+        fmt::format("{}: {} by its content, though its name ends in {}", file.path(), content.what, ending));
+    read.read_as = note;
+    return read;
+  } catch (const InputError& error) {
+    throw InputError(error.what() + note);
+  }
+}
+
 }  // namespace
 
 InputFile open_input(const std::string& path) {
@@ -47,13 +64,9 @@ ReadDocument read_file(const InputFile& file, const ReadOptions& options, Wanted
   const std::string by_ending = format_of_ending(ending);
   const bool through_gmsh = contains(gmsh_endings(), ending);
   if (const std::optional<Content> content = own_content(file.bytes())) {
-    ReadDocument read = read_as(content->format, file, wanted);
     const bool agrees = contains(format_named(content->format).endings, ending);
-    if (!agrees && (!by_ending.empty() || through_gmsh))
-      read.document.warnings.insert(read.document.warnings.begin(),
-                                    fmt::format("{}: {} by its content, though its name ends in {}",
-                                                file.path(), content->what, ending));
-    return read;
+    if (agrees || (by_ending.empty() && !through_gmsh)) return read_as(content->format, file, wanted);
+    return read_against_ending(*content, ending, file, wanted);
   }
   if (through_gmsh) return {read_through_gmsh(file.path())};
   if (const std::optional<Content> content = foreign_content(file.bytes(), ending))

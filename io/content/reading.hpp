@@ -15,8 +15,8 @@ namespace tetproof::io {
 InputFile open_input(const std::string& path);
 
 /// Reads a file in the format that the options, its content or its ending say, in this order. A format of the
-/// content that is not that of the ending is a warning of the document. InputError for a format that is not
-/// known, or not read.
+/// content that is not that of the ending is a warning of the document, or a note in the error. InputError
+/// for a format that is not known, or not read.
 ReadDocument read_file(const InputFile& file, const ReadOptions& options, Wanted wanted);
 
 }  // namespace tetproof::io

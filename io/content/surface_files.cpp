@@ -37,7 +37,12 @@ SurfaceFile read_surface_file(const std::string& path, const ReadOptions& option
   io::ReadDocument read = io::read_file(file, options, io::Wanted::surface);
   std::vector<std::string> warnings = std::move(read.document.warnings);
   std::vector<Loss> dropped = std::move(read.document.dropped);
-  return {io::surface_of_read(std::move(read), file), std::move(warnings), std::move(dropped)};
+  const std::string read_as = std::move(read.read_as);
+  try {
+    return {io::surface_of_read(std::move(read), file), std::move(warnings), std::move(dropped)};
+  } catch (const InputError& error) {
+    throw InputError(error.what() + read_as);
+  }
 }
 
 TriangleSurface read_surface(const std::string& path, const ReadOptions& options) {

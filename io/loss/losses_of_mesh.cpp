@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_finder.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
@@ -10,32 +11,10 @@
 namespace tetproof::io {
 namespace {
 
-const char* name_of(int type) {
-  if (type == io::polygon) return "polygons";
-  const ElementType* known = io::element_type(type);
-  switch (known ? known->shape : Shape::other) {
-    case Shape::point:
-      return "points";
-    case Shape::line:
-      return "lines";
-    case Shape::triangle:
-      return "triangles";
-    case Shape::quadrangle:
-      return "quadrangles";
-    case Shape::tetrahedron:
-      return "tetrahedra";
-    case Shape::hexahedron:
-      return "hexahedra";
-    case Shape::prism:
-      return "prisms";
-    case Shape::pyramid:
-      return "pyramids";
-    case Shape::polygon:
-      return "polygons";
-    case Shape::other:
-      break;
-  }
-  return "elements";
+// "tetrahedra of 10 nodes (type 11)".
+std::string name_of(const ElementBlock& block) {
+  return fmt::format("{} of {} (type {})", name_of_elements(block.type), counted(block.nodes_each, "nodes"),
+                     block.type);
 }
 
 bool is_plain(std::int64_t first) {
@@ -60,8 +39,7 @@ class MeshLosses : LossFinder {
   // Elements that are not written, or are written without their nodes between the corners.
   void elements() {
     for (const ElementBlock& block : document_.blocks) {
-      const std::string what =
-          fmt::format("{} of {} nodes (type {})", name_of(block.type), block.nodes_each, block.type);
+      const std::string what = name_of(block);
       const int each = holds_.nodes_each(block);
       if (each == 0) {
         not_written(block, what);
@@ -71,9 +49,8 @@ class MeshLosses : LossFinder {
     }
     for (const Written& written : written_.blocks())
       if (written.nodes_each < written.block->nodes_each)
-        add(fmt::format("nodes between the corners of {} of {} nodes (type {})", name_of(written.block->type),
-                        written.block->nodes_each, written.block->type),
-            written.count, element(*written.block));
+        add("nodes between the corners of " + name_of(*written.block), written.count,
+            element(*written.block));
   }
 
   // Elements of a block that has no place: each is cut into triangles or left out.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_finder.hpp"
 #include "io/model/values.hpp"
 
@@ -48,7 +49,7 @@ class ValueLosses : LossFinder {
               name));
     if (!values.labels.empty())
       add(fmt::format("labels of values of {}", whose), 1,
-          fmt::format("{} labels of {}", values.labels.size(), name));
+          fmt::format("{} of {}", counted(values.labels.size(), "labels"), name));
     if (has_step(values))
       add(fmt::format("times and steps of values of {}", whose), 1,
           fmt::format("{} of time {}, step {}", name, values.time, values.step));
@@ -89,14 +90,13 @@ class ValueLosses : LossFinder {
     if (!holds_.voronoi)
       add("parts of a Voronoi diagram",
           voronoi.points.size() + voronoi.edges.size() + voronoi.faces.size() + voronoi.cells.size(),
-          fmt::format("{} points", voronoi.points.size()));
+          counted(voronoi.points.size(), "points"));
     for (const Table& table : document_.tables)
-      if (!holds_.table(table))
-        add(fmt::format("table \"{}\"", table.name), 1, fmt::format("{} rows", table.rows));
+      if (!holds_.table(table)) add(fmt::format("table \"{}\"", table.name), 1, counted(table.rows, "rows"));
     if (!holds_.title && !document_.title.empty()) add("title", 1, document_.title);
     for (const Section& section : document_.sections)
       if (!holds_.section(section))
-        add(fmt::format("section ${}", section.name), 1, fmt::format("{} bytes", section.body.size()));
+        add(fmt::format("section ${}", section.name), 1, counted(section.body.size(), "bytes"));
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/medit/medit_content.hpp"
 #include "io/model/element_types.hpp"
 
@@ -59,7 +60,8 @@ class Reader {
         elements(*known, end);
       } else if (!known || !section(*known, end)) {
         // A keyword of unknown code may be a kind of elements: a judge must not call the mesh whole.
-        content_.drop("keyword " + name, 1, fmt::format("byte {}: {} bytes", start, end - start), !known);
+        content_.drop("keyword " + name, 1, fmt::format("byte {}: {}", start, counted(end - start, "bytes")),
+                      !known);
         in_.raw(end - start, "a keyword's data");
       }
     }
@@ -135,7 +137,8 @@ class Reader {
     const std::int64_t value = integer();
     const std::size_t left = end > in_.offset() ? end - in_.offset() : 0;
     if (value < 0 || static_cast<std::uint64_t>(value) > left / row)
-      in_.fail_at_byte(fmt::format("expected {}, found {}; {} bytes are left for it", what, value, left));
+      in_.fail_at_byte(fmt::format("expected {}, found {}; {} left for it", what, value,
+                                   left == 1 ? "1 byte is" : fmt::format("{} bytes are", left)));
     return static_cast<std::size_t>(value);
   }
 

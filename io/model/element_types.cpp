@@ -2,6 +2,7 @@
 #include "io/model/element_types.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace tetproof::io {
@@ -66,10 +67,20 @@ static_assert(std::is_sorted(std::begin(types), std::end(types),
 
 }  // namespace
 
-const ElementType* element_type(int type) {
+const ElementType* element_type(std::int64_t type) {
   const auto* found = std::lower_bound(std::begin(types), std::end(types), type,
-                                       [](const ElementType& a, int b) { return a.type < b; });
+                                       [](const ElementType& a, std::int64_t b) { return a.type < b; });
   return found != std::end(types) && found->type == type ? found : nullptr;
+}
+
+const char* name_of_elements(int type) {
+  static constexpr const char* names[] = {"points",    "lines",  "triangles", "quadrangles", "tetrahedra",
+                                          "hexahedra", "prisms", "pyramids",  "polygons",    "elements"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Shape::other) + 1);
+  if (type == polygon) return "polygons";
+  if (type == polyhedron) return "polyhedra";
+  const ElementType* known = element_type(type);
+  return names[static_cast<std::size_t>(known ? known->shape : Shape::other)];
 }
 
 }  // namespace tetproof::io

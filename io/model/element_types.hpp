@@ -2,6 +2,8 @@
 // The element types of .msh files and their numbers in Gmsh.
 #pragma once
 
+#include <cstdint>
+
 namespace tetproof::io {
 
 enum class Shape {
@@ -26,7 +28,10 @@ struct ElementType {
 };
 
 /// The type with Gmsh's number `type`; null if it is unknown or if its number of nodes varies.
-const ElementType* element_type(int type);
+const ElementType* element_type(std::int64_t type);
+
+/// What elements of this type are called: "tetrahedra", "polygons"; "elements" if there is no such word.
+const char* name_of_elements(int type);
 
 inline constexpr int point1 = 15, line2 = 1, line3 = 8, triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4,
                      triangle6 = 9, tetrahedron10 = 11;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "io/document.hpp"
@@ -21,6 +22,9 @@ struct ReadDocument {
   std::vector<std::size_t> places{};
   bool text = true;     ///< a message tells a place as a line; else as a byte
   bool welded = false;  ///< no two points are equal
+  /// For messages of what is wrong with the file, if its content overruled its ending: " (read as an OFF file
+  /// because of its content, though its name ends in .stl)". Else empty.
+  std::string read_as{};
 };
 
 }  // namespace tetproof::io

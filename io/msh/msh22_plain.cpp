@@ -12,6 +12,7 @@
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/plain_records.hpp"
 #include "io/model/tagged_lines.hpp"
+#include "io/msh/msh_sections.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -27,7 +28,7 @@ class PieceMaker {
   const ElementType* type(std::int64_t number) {
     if (number == number_) return type_;
     number_ = number;
-    return type_ = number < 0 || number > 1000 ? nullptr : element_type(static_cast<int>(number));
+    return type_ = element_type(number);
   }
   void start(const ElementType& type, std::span<const std::int64_t> tags) {
     if (!piece_.runs.empty() && piece_.runs.back().type == &type && has_last_tags(tags)) return;
@@ -89,7 +90,7 @@ bool read_element(PlainLine& line, PieceMaker& to) {
 }
 
 bool read_node_records(Numbers& in, std::size_t count, Document& document, Tags& tags) {
-  constexpr std::size_t size = 4 + 3 * sizeof(double);
+  constexpr std::size_t size = node_bytes22;
   if (in.swapped() || count < least_plain_records || in.remaining() / size < count) return false;
   const std::size_t first = document.points.size();
   resize_in_large_pages(document.points, first + count);

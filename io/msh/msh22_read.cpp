@@ -8,6 +8,7 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/plain_lines.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh22_elements.hpp"
@@ -66,8 +67,8 @@ class ElementReader {
       const std::int64_t numbers = in_.integer("how many numbers follow");
       in_.check_count(numbers, "how many numbers follow", in_.binary() ? 4 : 2);
       if (numbers == 0 || (type_ && numbers < type_->nodes))
-        in_.fail(
-            fmt::format("expected the nodes of an element of type {}, found {} numbers", number_, numbers));
+        in_.fail(fmt::format("expected the nodes of an element of type {}, found {}", number_,
+                             counted(numbers, "numbers")));
       const std::span<const Index> nodes = read_nodes(type_ ? type_->nodes : numbers);
       std::vector<std::int64_t> partitions(static_cast<std::size_t>(type_ ? numbers - type_->nodes : 0));
       for (std::int64_t& partition : partitions)
@@ -141,8 +142,7 @@ class ElementReader {
     elements_.set_type(number);
     if (number == number_) return;
     number_ = number;
-    type_ = number < 0 || number > std::numeric_limits<int>::max() ? nullptr
-                                                                   : element_type(static_cast<int>(number));
+    type_ = element_type(number);
     if (number < 0 || number > std::numeric_limits<int>::max())
       in_.fail(fmt::format("expected an element type, found {}", number));
   }
@@ -151,8 +151,8 @@ class ElementReader {
     const std::int64_t each = in_.integer("the number of nodes of an element");
     in_.check_count(each, "the number of nodes of an element", 2);
     if (each == 0 || (type_ && each != type_->nodes))
-      in_.fail(fmt::format("expected {} nodes of an element of type {}, found {}",
-                           type_ ? std::to_string(type_->nodes) : "the", number_, each));
+      in_.fail(fmt::format("expected {} of an element of type {}, found {}",
+                           type_ ? counted(type_->nodes, "nodes") : "the nodes", number_, each));
     return each;
   }
 

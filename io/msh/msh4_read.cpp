@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/words.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh4_plain.hpp"
 #include "io/msh/msh_sections.hpp"
@@ -128,8 +129,8 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
     block.first = document.points.size();
     block.count = in.count("the number of nodes in a block", 8, least_binary);
     if (block.count > before + total - block.first)
-      in.fail(fmt::format("expected at most {} nodes in a block, as $Nodes says, found {}",
-                          before + total - block.first, block.count));
+      in.fail(fmt::format("expected at most {} in a block, as $Nodes says, found {}",
+                          counted(before + total - block.first, "nodes"), block.count));
     if (v40) {
       // Each node's tag stands in front of its coordinates.
     } else if (!read_plain_tags(in, block.count, tags, block.first)) {
@@ -147,8 +148,8 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
     if (block.count > 0) document.node_blocks.push_back(block);
   }
   if (document.points.size() != before + total)
-    in.fail(
-        fmt::format("expected {} nodes, as $Nodes says, found {}", total, document.points.size() - before));
+    in.fail(fmt::format("expected {}, as $Nodes says, found {}", counted(total, "nodes"),
+                        document.points.size() - before));
 }
 
 void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index) {
@@ -175,8 +176,8 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
     block.first = document.elements();
     block.nodes = document.connectivity.size();
     if (count > before + total - block.first)
-      in.fail(fmt::format("expected at most {} elements in a block, as $Elements says, found {}",
-                          before + total - block.first, count));
+      in.fail(fmt::format("expected at most {} in a block, as $Elements says, found {}",
+                          counted(before + total - block.first, "elements"), count));
     if (count == 0) continue;
     if (type) {
       block.nodes_each = type->nodes;
@@ -206,7 +207,7 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
     }
   }
   if (document.elements() != before + total)
-    in.fail(fmt::format("expected {} elements, as $Elements says, found {}", total,
+    in.fail(fmt::format("expected {}, as $Elements says, found {}", counted(total, "elements"),
                         document.elements() - before));
 }
 

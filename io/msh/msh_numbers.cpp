@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 
 namespace tetproof::io {
 
@@ -12,8 +13,8 @@ void Numbers::check_count(std::int64_t value, const char* expected, std::size_t 
   if (value < 0) fail(fmt::format("expected {}, found {}", expected, value));
   if (static_cast<std::uint64_t>(value) >
       remaining() / least_bytes_each + 1)  // the last line may lack its end
-    fail(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value,
-                     remaining()));
+    fail(fmt::format("expected {}, found {}, more than the {} left can hold", expected, value,
+                     counted(remaining(), "bytes")));
 }
 
 std::int32_t Numbers::words_in_line() const {
@@ -56,8 +57,8 @@ double Numbers::unusual_real(const char* expected) {
 }
 
 void Numbers::fail_short(const char* expected, std::size_t size) const {
-  fail(fmt::format("expected {} ({} bytes), found {} bytes and the end of the file", expected, size,
-                   remaining()));
+  fail(fmt::format("expected {} ({}), found {} and the end of the file", expected, counted(size, "bytes"),
+                   counted(remaining(), "bytes")));
 }
 
 }  // namespace tetproof::io

@@ -19,6 +19,32 @@
 namespace tetproof::io {
 namespace {
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_binary(char c) {
+  return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f';
+}
+
+// Whether bytes that are not read may be elements: they have the name of a section, a line that begins with a
+// number, or characters that no text has.
+bool may_be_elements(std::string_view bytes) {
+  if (std::any_of(bytes.begin(), bytes.end(), is_binary)) return true;
+  const std::string no_path;
+  for (Scanner in(no_path, bytes); !in.at_end(); in.next_line()) {
+    const std::string_view word = in.peek_word();
+    const std::size_t first = word.find_first_not_of("+-.");
+    if (first != word.npos && is_digit(word[first])) return true;
+    while (!in.at_line_end())
+      if (const std::string_view name = in.word(); name.size() > 1 && name[0] == '$' && is_letter(name[1]))
+        return true;
+  }
+  return false;
+}
+
 class Reader {
  public:
   explicit Reader(const InputFile& file) : file_(file), in_(file), sets_(document_) {
@@ -33,7 +59,7 @@ class Reader {
       if (word.size() < 2 || word[0] != '$') {
         if (!has_nodes_ || !has_elements_) in_.fail("a section ($Name)", word);
         add_loss(document_.dropped, "bytes behind the last section", file_.bytes().size() - start,
-                 fmt::format("byte {}", start));
+                 fmt::format("byte {}", start), may_be_elements(file_.bytes().substr(start)));
         break;
       }
       const std::string name(word.substr(1));
@@ -139,7 +165,7 @@ class Reader {
       go_to(numbers.offset());
       return;
     }
-    const std::int64_t count = in_.count("the number of nodes", format_.binary ? 28 : 8);
+    const std::int64_t count = in_.count("the number of nodes", format_.binary ? node_bytes22 : 8);
     if (format_.binary) in_.next_line();
     Numbers numbers = numbers_here();
     if (document_.format == "msh3")

@@ -39,6 +39,9 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
 void read_entities3(Numbers& in, Document& document, TagSets& sets);
 void read_nodes3(Numbers& in, std::int64_t count, Document& document);
 
+/// A node in a binary file of version 2: its tag and its coordinates.
+inline constexpr std::size_t node_bytes22 = 4 + 3 * sizeof(double);
+
 // Versions 1 and 2.0 to 2.2, after the line with the number of nodes.
 void read_nodes22(Numbers& in, std::int64_t count, bool parametric, Document& document);
 

@@ -7,6 +7,7 @@
 
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
 #include "io/obj/obj.hpp"
@@ -104,7 +105,8 @@ class Reader {
     const bool slashes = read_corners(scanner, nodes);
     if (corners_.size() < 3) {
       const Scanner start(file_.path(), text_, place);
-      start.fail_in_line(fmt::format("face has {} corners, expected at least 3", corners_.size()));
+      start.fail_in_line(
+          fmt::format("face has {}, expected at least 3", counted(corners_.size(), "corners")));
     }
     if (!surface_ && slashes)
       for (ObjCorners* values : {&points_.texture, &points_.normal})
@@ -120,7 +122,7 @@ class Reader {
     const bool slashes = read_corners(scanner, nodes);
     if (corners_.size() < corners_each)
       scanner.fail_in_line(
-          fmt::format("expected at least {} vertices, found {}", corners_each, corners_.size()));
+          fmt::format("expected at least {}, found {}", counted(corners_each, "vertices"), corners_.size()));
     if (slashes) drop("texture coordinates and normals of lines and points", 1, place);
     const std::vector<Index> all = corners_;
     for (std::size_t i = 0; i + corners_each <= all.size(); ++i)

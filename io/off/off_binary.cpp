@@ -9,6 +9,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
 #include "io/surface/rows.hpp"
@@ -49,8 +50,8 @@ class Reader {
     const std::size_t place = scanner_.offset();
     const std::int32_t number = integer(expected);
     if (number < 0 || static_cast<std::size_t>(number) > scanner_.remaining() / bytes_each)
-      at(place).fail_at_byte(fmt::format("expected {}, found {}, which the {} bytes left cannot hold",
-                                         expected, number, scanner_.remaining()));
+      at(place).fail_at_byte(fmt::format("expected {}, found {}, which the {} left cannot hold", expected,
+                                         number, counted(scanner_.remaining(), "bytes")));
     return static_cast<std::size_t>(number);
   }
 

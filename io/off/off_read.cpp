@@ -6,6 +6,7 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
@@ -166,7 +167,7 @@ class Reader {
     }
     if (!scanner.at_end('#')) {
       const std::string_view found = scanner.word('#');
-      scanner.fail(fmt::format("the end of the file after {} faces", count), found);
+      scanner.fail(fmt::format("the end of the file after {}", counted(count, "faces")), found);
     }
     give_colors(std::move(colors), document.element_values, count, "faces");
   }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/surface/surface_document.hpp"
 
@@ -37,8 +38,8 @@ class PlyData {
     const std::size_t most =
         header_.text ? scanner_.remaining() / 2 + 1 : scanner_.remaining() / list.type->bytes;
     if (value > static_cast<double>(most))
-      fail(fmt::format("list '{}' announces {} entries, more than the {} bytes left can hold",
-                       shown_name(list.name), value, scanner_.remaining()));
+      fail(fmt::format("list '{}' announces {} entries, more than the {} left can hold",
+                       shown_name(list.name), value, counted(scanner_.remaining(), "bytes")));
     return static_cast<std::size_t>(value);
   }
   /// Checks the count of an element against the rest of the file, before memory is reserved for it.
@@ -49,8 +50,9 @@ class PlyData {
     if (least_bytes == 0) return;
     const std::size_t most = (scanner_.remaining() + header_.text) / least_bytes;
     if (static_cast<std::size_t>(element.count) > most)
-      fail(fmt::format("element '{}' announces {} of at least {} bytes, more than the {} bytes left can hold",
-                       shown_name(element.name), element.count, least_bytes, scanner_.remaining()));
+      fail(fmt::format("element '{}' announces {} of at least {}, more than the {} left can hold",
+                       shown_name(element.name), element.count, counted(least_bytes, "bytes"),
+                       counted(scanner_.remaining(), "bytes")));
   }
   /// Goes to the next instance; returns the byte where it starts.
   std::size_t start_instance() {
@@ -67,7 +69,8 @@ class PlyData {
     if (scanner_.at_end()) return;
     const std::string expected =
         fmt::format("the end of the file after {} of element '{}'", last.count, shown_name(last.name));
-    if (!header_.text) fail(fmt::format("expected {}, found {} more bytes", expected, scanner_.remaining()));
+    if (!header_.text)
+      fail(fmt::format("expected {}, found {}", expected, counted(scanner_.remaining(), "more bytes")));
     const std::string_view found = scanner_.word();
     scanner_.fail(expected, found);
   }

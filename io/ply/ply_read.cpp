@@ -10,6 +10,7 @@
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/node_index.hpp"
@@ -162,7 +163,8 @@ class Reader {
       data_.end_instance();
       if (corners.size() < 3) {
         const Scanner start(file_.path(), file_.bytes(), place);
-        const std::string message = fmt::format("face has {} corners, expected at least 3", corners.size());
+        const std::string message =
+            fmt::format("face has {}, expected at least 3", counted(corners.size(), "corners"));
         header_.text ? start.fail_in_line(message) : start.fail_at_byte(message);
       }
       if (surface_) source_.places.push_back(place);

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/bytes/words.hpp"
 #include "io/model/element_types.hpp"
 
 namespace tetproof {
@@ -63,11 +65,14 @@ std::pair<std::int64_t, std::int64_t> range(const std::vector<std::int64_t>& tag
   return {*least, *most};
 }
 
-const char* shape_of(int type) {
-  static constexpr const char* names[] = {"point",      "line",  "triangle", "quadrangle", "tetrahedron",
-                                          "hexahedron", "prism", "pyramid",  "polygon",    "other"};
+std::string shape_of(int type) {
   const io::ElementType* known = io::element_type(type);
-  return names[static_cast<int>(known ? known->shape : io::Shape::other)];
+  return known && known->shape != io::Shape::other ? io::singular(io::name_of_elements(type)) : "other";
+}
+
+// The start of a line: "         3 nodes".
+std::string row(std::integral auto n, const std::string& many) {
+  return fmt::format("{:>10} {}", n, n == 1 ? io::singular(many) : many);
 }
 
 // Parts of which only the number is printed; those that the document does not have are left out.
@@ -104,7 +109,7 @@ std::string describe_text(const Document& document) {
   const Figures figures = count(document);
   std::string text = fmt::format("{}: {}\n", document.path, document.format);
   const std::size_t nodes = document.points.size(), elements = document.elements();
-  text += fmt::format("{:>10} nodes", nodes);
+  text += row(nodes, "nodes");
   if (nodes > 0) {
     const auto [least, most] = range(document.node_tags, document.first_node, nodes);
     text += fmt::format(", numbered {} to {}", least, most);
@@ -112,38 +117,40 @@ std::string describe_text(const Document& document) {
   if (figures.has_box)
     text += fmt::format("\n           in ({}, {}, {}) to ({}, {}, {})", figures.low.x(), figures.low.y(),
                         figures.low.z(), figures.high.x(), figures.high.y(), figures.high.z());
-  text += fmt::format("\n{:>10} elements", elements);
+  text += '\n';
+  text += row(elements, "elements");
   if (elements > 0) {
     const auto [least, most] = range(document.element_tags, document.first_element, elements);
     text += fmt::format(", numbered {} to {}", least, most);
   }
   text += '\n';
   for (const auto& [type, what] : figures.types)
-    text += fmt::format("{:>10} of them {} of {} nodes (Gmsh's type {})\n", what.second, shape_of(type),
-                        what.first, type);
+    text += fmt::format("{:>10} of them {} of {} (Gmsh's type {})\n", what.second, shape_of(type),
+                        io::counted(what.first, "nodes"), type);
   if (!document.unknown.empty())
-    text += fmt::format("{:>10} numbers of nodes that do not exist, the first {}\n", document.unknown.size(),
-                        document.unknown[0]);
+    text +=
+        fmt::format("{}, the first {}\n", row(document.unknown.size(), "numbers of nodes that do not exist"),
+                    document.unknown[0]);
   for (int dim = 0; dim < 4; ++dim)
     if (figures.entities[dim] > 0)
-      text += fmt::format("{:>10} entities of dimension {}\n", figures.entities[dim], dim);
+      text += fmt::format("{} of dimension {}\n", row(figures.entities[dim], "entities"), dim);
   for (const auto& [key, elements_in] : figures.groups) {
     const auto name = figures.names.find(key);
-    text += fmt::format("{:>10} elements in group {} of dimension {}{}\n", elements_in, key.second, key.first,
-                        name == figures.names.end() ? "" : fmt::format(" \"{}\"", name->second));
+    text += fmt::format("{} in group {} of dimension {}{}\n", row(elements_in, "elements"), key.second,
+                        key.first, name == figures.names.end() ? "" : fmt::format(" \"{}\"", name->second));
   }
-  if (!figures.partitions.empty()) text += fmt::format("{:>10} partitions\n", figures.partitions.size());
+  if (!figures.partitions.empty()) text += row(figures.partitions.size(), "partitions") + "\n";
   for (const auto& [values, of] : all_values(document))
     for (const Values& v : *values)
-      text += fmt::format("{:>10} {} with {} value{} \"{}\" each\n", v.items(),
-                          std::string_view(of) == "node" ? "nodes" : "elements", v.components,
-                          v.components == 1 ? "" : "s", v.name);
-  for (const auto& [part, number] : parts(document)) text += fmt::format("{:>10} {}\n", number, part);
+      text += fmt::format("{} with {} \"{}\" each\n",
+                          row(v.items(), std::string_view(of) == "node" ? "nodes" : "elements"),
+                          io::counted(v.components, "values"), v.name);
+  for (const auto& [part, number] : parts(document)) text += row(number, part) + "\n";
   for (const Table& table : document.tables)
-    text += fmt::format("{:>10} rows of {} columns in table \"{}\"\n", table.rows, table.columns.size(),
-                        table.name);
+    text += fmt::format("{} of {} in table \"{}\"\n", row(table.rows, "rows"),
+                        io::counted(table.columns.size(), "columns"), table.name);
   for (const Section& section : document.sections)
-    text += fmt::format("{:>10} bytes in section ${}\n", section.body.size(), section.name);
+    text += fmt::format("{} in section ${}\n", row(section.body.size(), "bytes"), section.name);
   for (const Loss& loss : document.dropped)
     text += fmt::format("{:>10} {}, not read ({})\n", loss.count, loss.item, loss.example);
   return text;

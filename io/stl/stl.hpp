@@ -20,9 +20,9 @@ namespace tetproof::io {
 ///
 /// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see
 /// io/stl/stl_solids.hpp. Binary: the header, without blanks and zeros around it, is the title; attributes
-/// are values of elements "attribute" if any of them is not 0. Normals that point against the order of the
-/// corners are dropped; the others follow from the corners. If only a surface is wanted, normals are not
-/// looked at. Throws InputError.
+/// are values of elements "attribute" if any of them is not 0, and are not read if only a surface is wanted.
+/// Normals are not kept: those that point against the order of the corners are dropped, the others follow
+/// from it. Throws InputError.
 ReadDocument read_stl(const InputFile& file, Wanted wanted);
 
 /// Plans STL. It holds triangles of any order by their corners, and planar convex polygons as fans of

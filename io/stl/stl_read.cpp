@@ -10,6 +10,7 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
@@ -51,9 +52,9 @@ std::optional<Binary> binary_form(const InputFile& file) {
   if (announced == facets && facets > 0) return Binary{facets, trailing};
   // No text has a zero byte: this is a binary file that lost its end, or its count.
   if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
-    throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} facets announced here, found {}",
-                                 file.path(), stl_header_bytes + stl_facet_bytes * announced, announced,
-                                 bytes.size()));
+    throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} announced here, found {}",
+                                 file.path(), stl_header_bytes + stl_facet_bytes * announced,
+                                 counted(announced, "facets"), bytes.size()));
   return {};
 }
 
@@ -79,11 +80,9 @@ class Reader {
 
   void read_binary(std::size_t facets, std::size_t trailing) {
     source_.text = false;
-    if (!surface_) {
-      document_.title = stl_title(file_.bytes().substr(0, 80));
-      if (load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little) != facets)
-        warn(fmt::format("byte 80: 0 facets are announced, {} are there", facets));
-    }
+    document_.title = stl_title(file_.bytes().substr(0, 80));
+    if (load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little) != facets)
+      warn(fmt::format("byte 80: 0 facets are announced, {} are there", facets));
     add_loss(document_.dropped, "bytes behind the last facet", trailing,
              fmt::format("byte {}", stl_header_bytes + stl_facet_bytes * facets));
     Values attributes{.name = "attribute"};
@@ -96,8 +95,8 @@ class Reader {
                                load<float>(from + 8, std::endian::little));
       };
       for (int corner = 1; corner <= 3; ++corner) points_.push_back(three(facet + 12 * corner));
-      if (surface_) continue;
       check_normal(three(facet), static_cast<std::size_t>(facet - file_.bytes().data()));
+      if (surface_) continue;
       const auto attribute = load<std::uint16_t>(facet + 48, std::endian::little);
       if (attribute != 0 && attributes.integers.empty()) attributes.integers.resize(i);
       if (attribute != 0 || !attributes.integers.empty()) attributes.integers.push_back(attribute);
@@ -124,7 +123,7 @@ class Reader {
     if (same_word(word, "normal")) {
       word = scanner.word();
       for (int k = 0; k < 3 && !same_word(word, "outer"); ++k) {
-        if (!surface_ && !parse_real(word, normal[k])) normal[k] = std::nan("");
+        if (!parse_real(word, normal[k])) normal[k] = std::nan("");
         word = scanner.word();
       }
     }
@@ -137,9 +136,10 @@ class Reader {
       if (++vertices <= 3) points_.push_back(point);
     }
     if (!is_end(word, "loop", scanner)) scanner.fail("'vertex' or 'endloop'", word);
-    if (vertices != 3) scanner.fail_in_line(fmt::format("facet has {} vertices, expected 3", vertices));
+    if (vertices != 3)
+      scanner.fail_in_line(fmt::format("facet has {}, expected 3", counted(vertices, "vertices")));
     if (word = scanner.word(); !is_end(word, "facet", scanner)) scanner.fail("'endfacet'", word);
-    if (!surface_) check_normal(normal, place);
+    check_normal(normal, place);
   }
 
   void read_text() {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/model/document_fields.hpp"
 
@@ -46,8 +47,8 @@ class Decoder {
     std::size_t value = 0;
     get(value);
     if (value > (text_.size() - at_ + 1) / 2)
-      fail(fmt::format("{} things announced, more than the {} bytes left can hold", value,
-                       text_.size() - at_));
+      fail(fmt::format("{} announced, more than the {} left can hold", counted(value, "things"),
+                       counted(text_.size() - at_, "bytes")));
     return value;
   }
 

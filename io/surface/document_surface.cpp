@@ -10,6 +10,7 @@
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
@@ -55,9 +56,10 @@ class Cutter {
   TriangleSurface take(bool welded) {
     if (!document_.facets.empty()) {
       const Facet& facet = document_.facets.front();
-      fail(facet.first, fmt::format("is of a facet of {} polygons and {} holes, expected one polygon without "
-                                    "holes; cut it into triangles",
-                                    facet.polygons, facet.holes.size()));
+      fail(facet.first,
+           fmt::format("is of a facet of {} and {}, expected one polygon without holes; cut it into "
+                       "triangles",
+                       counted(facet.polygons, "polygons"), counted(facet.holes.size(), "holes")));
     }
     std::size_t triangles = 0;
     for (const ElementBlock& block : document_.blocks) {
@@ -96,7 +98,7 @@ class Cutter {
   void check(const ElementBlock& block) const {
     if (block.count == 0) return;
     if (is_thin_face(document_, block))
-      fail(block.first, fmt::format("has {} corners, expected at least 3", block.nodes_each));
+      fail(block.first, fmt::format("has {}, expected at least 3", counted(block.nodes_each, "corners")));
     if (dimension(block) == 2 && corners_of_faces(block) == 0)
       fail(block.first,
            fmt::format("of type {} is neither a triangle, a quadrangle nor a polygon", block.type));
@@ -165,7 +167,8 @@ void Cutter::add(std::span<const Index> face, std::size_t element) {
     surface_.triangles.push_back({position(face[0]), position(face[1]), position(face[2])});
     return;
   }
-  if (face.size() < 3) fail(element, fmt::format("has {} corners, expected at least 3", face.size()));
+  if (face.size() < 3)
+    fail(element, fmt::format("has {}, expected at least 3", counted(face.size(), "corners")));
   corners_.clear();
   for (const Index corner : face) {
     if (corner < 0) fail(element, unknown_corner(corner));

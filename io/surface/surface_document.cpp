@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/bytes/text_output.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 
@@ -80,8 +81,8 @@ void warn_of_colours(Document& document, const Values& colours, const char* of) 
   for (const std::int64_t c : colours.integers) bad += c < 0 || c > 255;
   for (const double c : colours.reals) bad += !(c >= 0 && c <= 1);
   if (bad > 0 && colours.components > 1)
-    document.warnings.push_back(fmt::format("{}: {} numbers in colours of {} are outside of {}",
-                                            document.path, bad, of,
+    document.warnings.push_back(fmt::format("{}: {} in colours of {} {} outside of {}", document.path,
+                                            counted(bad, "numbers"), of, bad == 1 ? "is" : "are",
                                             colours.reals.empty() ? "0 to 255" : "0 to 1"));
 }
 

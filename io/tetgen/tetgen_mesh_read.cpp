@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/bytes/large_pages.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
@@ -17,9 +18,8 @@ namespace {
 // Lines may lack attributes. But a header with far more attributes than the file has room for is an error.
 void check_attributes(const Records& in, std::int64_t items, std::int64_t each) {
   if (each > 0 && items > 0 && each > static_cast<std::int64_t>(in.remaining()) / items + 4)
-    in.fail(fmt::format(
-        "expected the number of attributes, found {}, more than the {} bytes left can hold for {} lines",
-        each, in.remaining(), items));
+    in.fail(fmt::format("expected the number of attributes, found {}, more than the {} left can hold for {}",
+                        each, counted(in.remaining(), "bytes"), counted(items, "lines")));
 }
 
 // The number of words in the first record: it shows the columns that the header does not mention. The header

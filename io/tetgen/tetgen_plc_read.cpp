@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "io/bytes/words.hpp"
 #include "io/model/element_types.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
 
@@ -25,7 +26,7 @@ class PlcReader {
     in_.end_record();
     for (std::int64_t i = 0; i < count; ++i) {
       if (!in_.next())
-        in_.fail(fmt::format("expected {} facets, found {} and the end of the file", count, i));
+        in_.fail(fmt::format("expected {}, found {} and the end of the file", counted(count, "facets"), i));
       if (smesh_)
         polygon(true);
       else

@@ -2,6 +2,7 @@
 // Writes TetGen's .poly and .smesh.
 #include <fmt/format.h>
 
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/tetgen/tetgen.hpp"
 #include "io/tetgen/tetgen_write_parts.hpp"
@@ -145,9 +146,9 @@ class PlcFilePlan : public FilePlan {
     if (format_ == "smesh" && !plan_.facets.empty()) {
       const Facet& facet = document_.facets[plan_.facets[0]];
       throw InputError(fmt::format(
-          "{}: cannot write it: a facet of {} polygons and {} holes (element {}) has no place in a "
-          ".smesh; write a .poly",
-          path, facet.polygons, facet.holes.size(), document_.element_tag(facet.first)));
+          "{}: cannot write it: a facet of {} and {} (element {}) has no place in a .smesh; write a .poly",
+          path, counted(facet.polygons, "polygons"), counted(facet.holes.size(), "holes"),
+          document_.element_tag(facet.first)));
     }
     write_plc(tetgen_path_to_write(path, format_), document_, plan_, supplement);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 
 namespace tetproof::io {
@@ -83,8 +84,8 @@ std::int64_t Records::count(const char* expected, std::int64_t least_bytes_each)
 void Records::check_count(std::int64_t value, const char* expected, std::int64_t least_bytes_each) const {
   if (value < 0) fail(fmt::format("expected {}, found {}", expected, value));
   if (value > static_cast<std::int64_t>(remaining()) / least_bytes_each + 1)
-    fail(fmt::format("expected {}, found {}, more than the {} bytes left can hold", expected, value,
-                     remaining()));
+    fail(fmt::format("expected {}, found {}, more than the {} left can hold", expected, value,
+                     counted(remaining(), "bytes")));
 }
 
 void Records::list_number(const char* expected, std::int64_t i, std::int64_t& first, const char* item) {

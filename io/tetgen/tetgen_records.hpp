@@ -11,6 +11,7 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/plain_lines.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/model/node_index.hpp"
 
 namespace tetproof::io {
@@ -144,7 +145,7 @@ void read_rows(Records& in, std::size_t count, std::string_view what, NodeIndex*
   if (behind) return in.go_to(*behind);
   for (std::size_t i = 0; i < count; ++i) {
     if (!in.next())
-      in.fail("expected " + std::to_string(count) + " " + std::string(what) + ", found " + std::to_string(i) +
+      in.fail("expected " + counted(count, what) + ", found " + std::to_string(i) +
               " and the end of the file");
     AnyRow row(in, index);
     read(row, i);

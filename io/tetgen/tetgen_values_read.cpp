@@ -3,6 +3,7 @@
 // .var.
 #include <fmt/format.h>
 
+#include "io/bytes/words.hpp"
 #include "io/tetgen/tetgen_read_parts.hpp"
 
 namespace tetproof::io {
@@ -11,7 +12,7 @@ namespace {
 void expect_as_many(const Records& in, std::int64_t count, std::size_t expected, const char* many,
                     const std::string& path) {
   if (count != static_cast<std::int64_t>(expected))
-    in.fail(fmt::format("expected {} {} as in {}, found {}", expected, many, path, count));
+    in.fail(fmt::format("expected {} as in {}, found {}", counted(expected, many), path, count));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ namespace tetproof::io {
 /// are.
 ///
 /// Listed as dropped: the role of an attribute and the name of its lookup table, names of fields, names of
-/// components and information keys in METADATA, and colours that are rounded to bytes.
+/// components and information keys in METADATA, and colours that are rounded to bytes. SCALARS, VECTORS and
+/// TENSORS count as roles only beside a FIELD; without one they only say how many components an array has.
 Document read_vtk(const InputFile& file);
 
 /// Version 4.2, which VTK 9, Gmsh 4.8 and meshio read. As in .vtu (see there), but entity tags as

@@ -10,6 +10,7 @@
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/tokens.hpp"
+#include "io/bytes/words.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
 
@@ -55,8 +56,8 @@ void VtkLegacyScanner::numbers(Column& column, std::size_t count) {
   }
   const std::size_t size = vtk_type_size(column.type);
   if (count > remaining() / size)
-    fail_at_byte(fmt::format("expected {} numbers of {} bytes, found {} bytes and the end of the file", count,
-                             size, remaining()));
+    fail_at_byte(fmt::format("expected {} of {}, found {} and the end of the file", counted(count, "numbers"),
+                             counted(size, "bytes"), counted(remaining(), "bytes")));
   append_numbers(raw(count * size, "numbers").data(), count, std::endian::big, column);
 }
 
@@ -104,8 +105,8 @@ std::size_t VtkLegacyScanner::colors(Column& column, std::size_t count) {
 
 void VtkLegacyScanner::check_room(std::size_t items, std::size_t each) const {
   if (items > 0 && each > (8 * remaining() + 8) / items)
-    fail_in_line(fmt::format("expected {} times {} values, more than the {} bytes left can hold", items, each,
-                             remaining()));
+    fail_in_line(fmt::format("expected {} times {}, more than the {} left can hold", items,
+                             counted(each, "values"), counted(remaining(), "bytes")));
 }
 
 void VtkLegacyScanner::cells(std::vector<std::int64_t>& connectivity, std::vector<std::int64_t>& ends) {
@@ -120,7 +121,9 @@ void VtkLegacyScanner::cells(std::vector<std::int64_t>& connectivity, std::vecto
   std::size_t at = 0;
   for (std::int64_t c = 0; c < cells; ++c) {
     const std::int64_t left = size - static_cast<std::int64_t>(at) - 1;
-    if (left < 0) fail_in_line(fmt::format("expected {} cells, found {} in {} numbers", cells, c, size));
+    if (left < 0)
+      fail_in_line(
+          fmt::format("expected {}, found {} in {}", counted(cells, "cells"), c, counted(size, "numbers")));
     const std::int64_t n = list.integers[at];
     if (n < 0 || n > left)
       fail_in_line(fmt::format("cell {}: expected its number of points, up to {}, found {}", c, left, n));
@@ -130,7 +133,8 @@ void VtkLegacyScanner::cells(std::vector<std::int64_t>& connectivity, std::vecto
     at += static_cast<std::size_t>(n) + 1;
   }
   if (at != list.integers.size())
-    fail_in_line(fmt::format("expected {} numbers for {} cells, found {}", at, cells, size));
+    fail_in_line(
+        fmt::format("expected {} for {}, found {}", counted(at, "numbers"), counted(cells, "cells"), size));
 }
 
 void VtkLegacyScanner::cells_by_offsets(std::size_t count, std::size_t size,

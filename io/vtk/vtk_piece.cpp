@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
@@ -18,9 +19,9 @@
 namespace tetproof::io {
 namespace {
 
-// Cells of one type of which something is dropped.
+// Cells of one type of which something is dropped; the first one, and its points.
 struct Dropped {
-  std::size_t count = 0, first = 0, nodes_of_first = 0;
+  std::size_t count = 0, first = 0, points = 0;
 };
 
 std::string item_of(std::int64_t type) {
@@ -98,7 +99,7 @@ class Adder {
 
   void cells() {
     const std::size_t count = piece_.types.size();
-    if (piece_.ends.size() != count) fail(fmt::format("{} cells have {} types", piece_.ends.size(), count));
+    if (piece_.ends.size() != count) fail(fmt::format("cells: {}, types: {}", piece_.ends.size(), count));
     std::int64_t start = 0;
     for (std::size_t c = 0; c < count; ++c) {
       const std::int64_t end = piece_.ends[c];
@@ -114,7 +115,7 @@ class Adder {
                fmt::format("{}{}", piece_.connectivity[static_cast<std::size_t>(start)], piece_.which));
     for (const auto& [type, cells] : dropped_)
       add_loss(document_.dropped, item_of(type), cells.count,
-               fmt::format("cell {}{}, {} points", cells.first, piece_.which, cells.nodes_of_first),
+               fmt::format("cell {}{}, {}", cells.first, piece_.which, counted(cells.points, "points")),
                is_element_lost(type));
     const bool one_to_one = origin_.size() == count && !left_out_ && !split_;
     if (one_to_one) origin_.clear();
@@ -123,7 +124,7 @@ class Adder {
 
   void drop(std::size_t c, std::size_t nodes) {
     Dropped& dropped = dropped_[piece_.types[c]];
-    if (dropped.count++ == 0) dropped.first = c, dropped.nodes_of_first = nodes;
+    if (dropped.count++ == 0) dropped.first = c, dropped.points = nodes;
   }
 
   void cell(std::size_t c, std::span<const std::int64_t> nodes) {
@@ -137,7 +138,8 @@ class Adder {
     };
     if (type == vtk_poly_vertex || type == vtk_poly_line || type == vtk_strip) {
       const std::size_t least = type == vtk_poly_vertex ? 1 : type == vtk_poly_line ? 2 : 3;
-      if (n < least) fail(fmt::format("cell {}: expected {} points or more, found {}", c, least, n));
+      if (n < least)
+        fail(fmt::format("cell {}: expected {} or more, found {}", c, counted(least, "points"), n));
       if (n != least) {
         split_ = true;
         drop(c, n);
@@ -166,7 +168,7 @@ class Adder {
     const int gmsh = gmsh_type_of_cell(type, n);
     if (gmsh != 0) return element(c, gmsh, nodes);
     if (has_fixed_size(type))
-      fail(fmt::format("cell {}: a cell of VTK's type {} does not have {} points", c, type, n));
+      fail(fmt::format("cell {}: a cell of VTK's type {} does not have {}", c, type, counted(n, "points")));
     left_out_ = true;
     drop(c, n);
   }
@@ -218,7 +220,7 @@ class Adder {
                   const std::vector<std::uint32_t>& origin) {
     const auto each = static_cast<std::size_t>(column.components);
     if (column.components < 1 || column_size(column) != items * each)
-      fail(fmt::format("array \"{}\": expected {} values, found {}", column.name, items * each,
+      fail(fmt::format("array \"{}\": expected {}, found {}", column.name, counted(items * each, "values"),
                        column_size(column)));
     Values values{.name = std::move(column.name), .components = column.components};
     if (!column.texts.empty()) {

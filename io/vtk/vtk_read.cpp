@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "io/bytes/tokens.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
@@ -28,6 +30,7 @@ class Reader {
   Document read() {
     header();
     while (!in_.at_end()) section(in_.word());
+    list_roles();
     if (!has_points_ && (!piece_.ends.empty() || !lists_.empty())) in_.fail("POINTS", {});
     polygons();
     if (types_.empty() && !piece_.ends.empty() && lists_.empty()) in_.fail("CELL_TYPES", {});
@@ -59,6 +62,7 @@ class Reader {
     if (name == "point_data" || name == "cell_data") {
       items_ = in_.integer("a number of items");
       if (items_ < 0) in_.fail_in_line(fmt::format("expected a number of items, found {}", items_));
+      list_roles();
       data_ = name == "point_data" ? &piece_.point_data : &piece_.cell_data;
       return;
     }
@@ -110,8 +114,8 @@ class Reader {
     in_.integers(types, static_cast<std::size_t>(count));
     types_ = std::move(types.integers);
     if (types_.size() != piece_.ends.size())
-      in_.fail_in_line(
-          fmt::format("expected the types of {} cells, found {}", piece_.ends.size(), types_.size()));
+      in_.fail_in_line(fmt::format("expected the types of {}, found {}", counted(piece_.ends.size(), "cells"),
+                                   types_.size()));
   }
 
   // Appends vertices, lines, polygons and strips: the cell data come in this order.
@@ -161,9 +165,24 @@ class Reader {
   }
 
   // Arrays of entities and groups become what they say, and have no use for a role.
-  void add_role(const std::string& array, std::string_view role) {
+  void add_role(const std::string& array, std::string_view word) {
     if (data_ == &piece_.cell_data && is_array_of_tags(array)) return;
-    add_vtk_role(document_.dropped, array, role);
+    roles_.push_back({array, std::string(word)});
+  }
+
+  // Lists the roles of the arrays of POINT_DATA or CELL_DATA, behind their last array. SCALARS, VECTORS and
+  // TENSORS are also just how an array of 1, 3 or 9 numbers each is written. They are a choice only beside a
+  // FIELD, whose arrays have no role; and VTK then chooses the first of a kind.
+  void list_roles() {
+    std::set<std::string> chosen;
+    for (const Role& role : roles_) {
+      const std::string word = lower_case(role.word);
+      const bool is_form = word == "scalars" || word == "vectors" || word == "tensors" || word == "tensors6";
+      if (!is_form || (has_field_ && chosen.insert(word).second))
+        add_vtk_role(document_.dropped, role.array, role.word);
+    }
+    roles_.clear();
+    has_field_ = false;
   }
 
   void table_of(const std::string& array, std::string_view table) {
@@ -208,6 +227,7 @@ class Reader {
     if (lower_case(name) != "fielddata")
       add_loss(document_.dropped, "names of fields", 1, fmt::format("\"{}\"", name));
     const std::int64_t arrays = in_.count("the number of arrays", 4);
+    has_field_ = has_field_ || (data_ && arrays > 0);
     for (std::int64_t a = 0; a < arrays; ++a) {
       std::string_view word = in_.word();
       while (lower_case(word) == "metadata") {
@@ -232,8 +252,8 @@ class Reader {
       else if (items == items_)
         take(std::move(column));
       else
-        in_.fail_in_line(
-            fmt::format("array \"{}\": expected {} tuples, found {}", column.name, items_, items));
+        in_.fail_in_line(fmt::format("array \"{}\": expected {}, found {}", column.name,
+                                     counted(items_, "tuples"), items));
     }
   }
 
@@ -245,6 +265,9 @@ class Reader {
                                      column_size(column) / static_cast<std::size_t>(column.components)));
   }
 
+  struct Role {
+    std::string array, word;
+  };
   struct List {
     VtkCellType type;
     std::vector<std::int64_t> connectivity{}, ends{};
@@ -258,7 +281,9 @@ class Reader {
   std::vector<List> lists_;
   std::vector<Column>* data_ = nullptr;
   std::int64_t items_ = 0;
-  std::string last_array_;  // METADATA are about this one
+  std::string last_array_;   // METADATA are about this one
+  std::vector<Role> roles_;  // of the arrays of these data
+  bool has_field_ = false;   // whether these data have arrays in a FIELD
 };
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/text_output.hpp"
 #include "io/vtk/vtk.hpp"
+#include "io/vtk/vtk_file_plan.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
@@ -165,10 +165,9 @@ class Writer {
   const bool binary_;
 };
 
-class VtkFilePlan : public OneFilePlan {
+class LegacyPlan : public VtkFilePlan {
  public:
-  VtkFilePlan(const Document& document, bool binary)
-      : OneFilePlan(document), plan_(vtk_plan(document, "CellEntityIds")), binary_(binary) {
+  LegacyPlan(const Document& document, bool binary) : VtkFilePlan(document, "CellEntityIds", binary) {
     holds_ = vtk_holds(document, plan_);
   }
 
@@ -185,22 +184,12 @@ class VtkFilePlan : public OneFilePlan {
 
  private:
   void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
-
-  // Made only when it is needed, because it takes memory and `holds` does not need it.
-  const VtkMesh& mesh() {
-    if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
-    return *mesh_;
-  }
-
-  const VtkPlan plan_;
-  const bool binary_;
-  std::optional<VtkMesh> mesh_;
 };
 
 }  // namespace
 
 std::unique_ptr<FilePlan> plan_vtk(const Document& document, bool binary) {
-  return std::make_unique<VtkFilePlan>(document, binary);
+  return std::make_unique<LegacyPlan>(document, binary);
 }
 
 }  // namespace tetproof::io

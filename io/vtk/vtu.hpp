@@ -15,10 +15,10 @@ namespace tetproof::io {
 /// "entity" (or "CellEntityIds") and "group", "group 2", ... become entities and physical groups. Nodes and
 /// cells are numbered from 0. See `add_vtk_piece` for the cells that are not kept as they are.
 ///
-/// Everything else is listed as dropped: roles of arrays (Scalars="..."), names of components, information
-/// keys, the division into pieces, and elements and attributes that this reader does not know. Not dropped is
-/// what follows from the values (ranges) and what only encodes them (the type of numbers, their byte order).
-/// XML comments are no data.
+/// Everything else is listed as dropped: roles of arrays (Scalars="...", but of entities and groups), names
+/// of components, information keys, the division into pieces, and elements and attributes that this reader
+/// does not know. Not dropped is what follows from the values (ranges) and what only encodes them (the type
+/// of numbers, their byte order). XML comments are no data.
 Document read_vtu(const InputFile& file);
 
 /// Coordinates as Float64, integers as Int64; base64 if `binary`. Values become point and cell data, entity

@@ -14,6 +14,7 @@
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/vtk/vtk_types.hpp"
 
 namespace tetproof::io {
@@ -29,7 +30,8 @@ class Source {
   /// The next `size` bytes, valid until the next call.
   std::string_view take(std::uint64_t size, const char* what) {
     const std::uint64_t most = base64_ ? rest_.size() + (end_ - at_) / 4 * 3 + 3 : end_ - at_;
-    if (size > most) fail(fmt::format("expected {} bytes of {}, found {} at most", size, what, most));
+    if (size > most)
+      fail(fmt::format("expected {} of {}, found {} at most", counted(size, "bytes"), what, most));
     if (!base64_) {
       at_ += size;
       return file_.bytes.substr(at_ - size, size);
@@ -38,7 +40,8 @@ class Source {
     rest_.clear();
     taken_.reserve(size + 3);
     while (taken_.size() < size)
-      if (!decode_quad()) fail(fmt::format("expected {} bytes of {}, found {}", size, what, taken_.size()));
+      if (!decode_quad())
+        fail(fmt::format("expected {} of {}, found {}", counted(size, "bytes"), what, taken_.size()));
     rest_ = taken_.substr(size);
     taken_.resize(size);
     return taken_;
@@ -136,8 +139,9 @@ class Sink {
 void check_size(const Source& source, std::uint64_t bytes, std::optional<std::size_t> count,
                 const Column& column) {
   if (count && column.type != "String" && bytes != *count * vtk_type_size(column.type))
-    source.fail(fmt::format("array \"{}\": expected {} values of type {} in {} bytes, found {} bytes",
-                            column.name, *count, column.type, *count * vtk_type_size(column.type), bytes));
+    source.fail(fmt::format("array \"{}\": expected {} of type {} in {}, found {}", column.name,
+                            counted(*count, "values"), column.type,
+                            counted(*count * vtk_type_size(column.type), "bytes"), counted(bytes, "bytes")));
 }
 
 void read_compressed(const VtuEncoding& file, Source& source, std::optional<std::size_t> count, Sink& sink,
@@ -155,8 +159,8 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
   constexpr std::uint64_t ratio = 1032, slack = 64;
   for (std::uint64_t b = 0; b < blocks; ++b)
     if ((b + 1 < blocks ? full : last) / ratio > sizes[b] + slack || sizes[b] > file.bytes.size())
-      source.fail(fmt::format("expected the size of a compressed block of {} bytes, found {}",
-                              b + 1 < blocks ? full : last, sizes[b]));
+      source.fail(fmt::format("expected the size of a compressed block of {}, found {}",
+                              counted(b + 1 < blocks ? full : last, "bytes"), sizes[b]));
   check_size(source, (blocks - 1) * full + last, count, column);
   std::string block;
   for (std::uint64_t b = 0; b < blocks; ++b) {
@@ -167,7 +171,7 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
         ::uncompress(reinterpret_cast<Bytef*>(block.data()), &got,
                      reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size()));
     if (state != Z_OK || got != block.size())
-      source.fail(fmt::format("expected {} bytes compressed by zlib, found {}", block.size(),
+      source.fail(fmt::format("expected {} compressed by zlib, found {}", counted(block.size(), "bytes"),
                               state == Z_OK ? fmt::format("{}", got) : "other data"));
     sink.put(block);
   }
@@ -180,7 +184,8 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
   std::size_t found = 0;
   for (std::string text; !in.at_end(); ++found) {
     if (found == most && column.type != "String")
-      in.fail_in_line(fmt::format("array \"{}\": expected {} values, found more", column.name, most));
+      in.fail_in_line(
+          fmt::format("array \"{}\": expected {}, found more", column.name, counted(most, "values")));
     if (is_real_type(column.type)) {
       column.reals.push_back(in.real("a number"));
     } else if (column.type == "UInt64") {
@@ -201,8 +206,8 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
     }
   }
   if (count && column_size(column) != *count)
-    in.fail_in_line(
-        fmt::format("array \"{}\": expected {} values, found {}", column.name, *count, column_size(column)));
+    in.fail_in_line(fmt::format("array \"{}\": expected {}, found {}", column.name, counted(*count, "values"),
+                                column_size(column)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_piece.hpp"
@@ -128,7 +129,7 @@ class Reader {
       if (coordinates.texts.empty()) add_points(coordinates, points, piece);
     }
     if (piece.points.size() != points)
-      fail(node, fmt::format("expected the coordinates of {} points", points));
+      fail(node, fmt::format("expected the coordinates of {}", counted(points, "points")));
     const pugi::xml_node of_cells = node.child("Cells");
     if (const auto array = of_cells.find_child_by_attribute("Name", "connectivity"))
       piece.connectivity = integers(array, std::nullopt);
@@ -136,8 +137,10 @@ class Reader {
       piece.ends = integers(array, cells);
     if (const auto array = of_cells.find_child_by_attribute("Name", "types"))
       piece.types = integers(array, cells);
-    if (piece.types.size() != cells) fail(node, fmt::format("expected the types of {} cells", cells));
-    if (piece.ends.size() != cells) fail(node, fmt::format("expected the offsets of {} cells", cells));
+    if (piece.types.size() != cells)
+      fail(node, fmt::format("expected the types of {}", counted(cells, "cells")));
+    if (piece.ends.size() != cells)
+      fail(node, fmt::format("expected the offsets of {}", counted(cells, "cells")));
     each_array(node, "PointData",
                [&](const pugi::xml_node& array) { piece.point_data.push_back(column(array, points)); });
     each_array(node, "CellData",
@@ -189,8 +192,8 @@ class Reader {
       if (skeleton_.appended == 0) fail(node, "expected <AppendedData>");
       if (!parse_integer(text, offset) || offset < 0 ||
           static_cast<std::uint64_t>(offset) > appended_end_ - skeleton_.appended)
-        fail(node, fmt::format("expected an offset into the {} bytes of appended data, found '{}'",
-                               appended_end_ - skeleton_.appended, text));
+        fail(node, fmt::format("expected an offset into the {} of appended data, found '{}'",
+                               counted(appended_end_ - skeleton_.appended, "bytes"), text));
       return {appended_raw_ ? VtuPlace::raw : VtuPlace::base64,
               skeleton_.appended + static_cast<std::size_t>(offset), appended_end_, true};
     }

@@ -12,6 +12,7 @@
 
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_information.hpp"
+#include "io/vtk/vtk_piece.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -92,6 +93,8 @@ class Lister {
     const std::string_view name = attribute.name();
     const bool of_data = known.element == "PointData" || known.element == "CellData";
     if (has(known.attributes, name) || (of_data && has(roles, name) && *attribute.value() == '\0')) return;
+    if (known.element == "CellData" && has(roles, name) && is_array_of_tags(attribute.value()))
+      return;  // it becomes entities or groups, and has no use for a role
     if (of_data && has(roles, name))
       add_vtk_role(dropped_, attribute.value(), name);
     else if (known.element == "array" && name.starts_with("ComponentName"))

@@ -7,12 +7,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <span>
 #include <string>
 
 #include "io/bytes/text_output.hpp"
 #include "io/bytes/xml_text.hpp"
+#include "io/vtk/vtk_file_plan.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtu.hpp"
@@ -156,10 +156,9 @@ class Writer {
   const bool binary_;
 };
 
-class VtuFilePlan : public OneFilePlan {
+class XmlPlan : public VtkFilePlan {
  public:
-  VtuFilePlan(const Document& document, bool binary)
-      : OneFilePlan(document), plan_(vtk_plan(document, "entity")), binary_(binary) {
+  XmlPlan(const Document& document, bool binary) : VtkFilePlan(document, "entity", binary) {
     holds_ = vtu_holds(document, plan_);
   }
 
@@ -173,22 +172,12 @@ class VtuFilePlan : public OneFilePlan {
 
  private:
   void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
-
-  // Made only when it is needed, because it takes memory and `holds` does not need it.
-  const VtkMesh& mesh() {
-    if (!mesh_) mesh_ = vtk_mesh(document_, plan_);
-    return *mesh_;
-  }
-
-  const VtkPlan plan_;
-  const bool binary_;
-  std::optional<VtkMesh> mesh_;
 };
 
 }  // namespace
 
 std::unique_ptr<FilePlan> plan_vtu(const Document& document, bool binary) {
-  return std::make_unique<VtuFilePlan>(document, binary);
+  return std::make_unique<XmlPlan>(document, binary);
 }
 
 }  // namespace tetproof::io

@@ -109,8 +109,14 @@ const std::vector<Sample> samples{
        "LINES 1 5\n4 0 1 2 3\nCELL_DATA 1\nSCALARS id int 1\nLOOKUP_TABLE default\n5\n"}},
      "b.vtu",
      "polylines, kept as lines"},
+    {"ArraysOfOneKind",
+     {{"a.vtk", vtk_head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nVECTORS v double\n1 2 3\n"
+                           "SCALARS s double\nLOOKUP_TABLE default\n0.5\n"}},
+     "b.vtk",
+     ""},
     {"Roles",
-     {{"a.vtk", vtk_head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nVECTORS v double\n1 2 3\n"}},
+     {{"a.vtk", vtk_head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nVECTORS v double\n1 2 3\n"
+                           "FIELD FieldData 1\nw 3 1 double\n4 5 6\n"}},
      "b.vtu",
      "attribute roles of values"},
     {"UnknownAttribute",

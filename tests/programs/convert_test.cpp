@@ -101,6 +101,10 @@ TEST(Convert, UsageAndInput) {
   EXPECT_EQ(
       said({"bad.msh", "b.msh"}),
       "tetproof-convert: bad.msh:3: expected the size of a number in bytes, found the end of the file\n");
+  folder.write("lie.mesh", "$MeshFormat\n4.1 0\n");
+  EXPECT_EQ(said({"lie.mesh", "b.msh"}),
+            "tetproof-convert: lie.mesh:3: expected the size of a number in bytes, found the end of the file "
+            "(read as a Gmsh .msh 4.1 file because of its content, though its name ends in .mesh)\n");
   EXPECT_EQ(said({"none.msh", "b.msh"}),
             "tetproof-convert: none.msh: cannot open: No such file or directory\n");
   folder.write("c.xyz", "hello\n");
@@ -110,7 +114,7 @@ TEST(Convert, UsageAndInput) {
       "tetproof-convert: c.xyz: unknown ending, and the content tells no format; expected one of .msh .node "
       ".ele .face .edge .neigh .vol .mtr .var .t2f .t2e .f2e .cell .poly .smesh .vtu .vtk .mesh .meshb .stl "
       ".off .obj .ply");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh", "c.xyz"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "bad.msh", "c.xyz", "lie.mesh"}));
 }
 
 TEST(Convert, HelpNamesEveryEndingThatIsRead) {
@@ -147,11 +151,11 @@ TEST(Convert, Info) {
   EXPECT_NE(run.out.find("a.msh: msh41\n"
                          "         4 nodes, numbered 10 to 40\n"
                          "           in (0, 0, 0) to (1, 1, 1)\n"
-                         "         1 elements, numbered 1 to 1\n"
+                         "         1 element, numbered 1 to 1\n"
                          "         1 of them tetrahedron of 4 nodes (Gmsh's type 4)\n"
-                         "         1 entities of dimension 3\n"
-                         "         1 elements in group 7 of dimension 3 \"steel\"\n"
-                         "         1 elements in group 8 of dimension 3\n"),
+                         "         1 entity of dimension 3\n"
+                         "         1 element in group 7 of dimension 3 \"steel\"\n"
+                         "         1 element in group 8 of dimension 3\n"),
             std::string::npos)
       << run;
 }

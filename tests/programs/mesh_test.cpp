@@ -171,6 +171,19 @@ TEST(Mesh, AnInwardSurfaceIsNoFault) {
   EXPECT_GT(report["volume"]["mesh"], 0.1);
 }
 
+// One of the two says that the surface is inside out.
+TEST(Mesh, NormalsThatContradictTheFacetsAreSaid) {
+  const ScratchFolder folder;
+  std::string stl = "solid\n";
+  for (const char* corners : {"0 0 0 vertex 0 1 0 vertex 1 0 0", "0 0 0 vertex 1 0 0 vertex 0 0 1",
+                              "1 0 0 vertex 0 1 0 vertex 0 0 1", "0 0 0 vertex 0 0 1 vertex 0 1 0"})
+    stl += std::string("facet normal -1 -1 -1 outer loop vertex ") + corners + " endloop endfacet\n";
+  const Outcome run = mesh({folder.write("a.stl", stl), "-o", folder / "g.msh", "--cells", "4"});
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_THAT(run.err,
+              HasSubstr("not read: normals that point against the order of the corners: 1 (line 4)\n"));
+}
+
 TEST(Mesh, AnEmptyGridIsSaid) {
   const ScratchFolder folder;
   const Outcome run =

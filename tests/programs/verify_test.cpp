@@ -55,7 +55,7 @@ TEST_F(Verify, SecondOrderByCorners) {
   EXPECT_EQ(second["mesh"]["tets"], 1);
   EXPECT_EQ(second["certificate"], true);
   ASSERT_EQ(second["notes"].size(), 1);
-  EXPECT_EQ(second["notes"][0], "1 tetrahedra of second or higher order are judged by their corners");
+  EXPECT_EQ(second["notes"][0], "1 tetrahedron of second or higher order is judged by its corners");
 }
 
 TEST_F(Verify, ADefectiveMesh) {
@@ -87,7 +87,7 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
       "5 12 11 4\n8 4 2 1 1 13 14 15 16\n$EndElements\n");
   const Outcome outcome = run({"mixed.msh"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedra (only "
+  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedron (only "
                                      "tetrahedra are judged; the first is element 7)\n"));
   const json mixed = report({"mixed.msh"}, 4);
   EXPECT_EQ(mixed["verdict"], "incomplete");
@@ -97,6 +97,19 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
   EXPECT_EQ(mixed["not_judged"][0]["count"], 1);
   EXPECT_EQ(check(mixed, "unused-point")["verdict"], "pass");
   EXPECT_EQ(report({"cube.node"}, 0)["not_judged"], json::array());
+}
+
+// The second $Elements is behind a word that is no section, so that it is not read.
+TEST_F(Verify, AMeshWithNumbersBehindTheLastSectionIsIncomplete) {
+  const std::string sections =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n";
+  files.write("more.msh", sections + "more\n$Elements\n1\n2 4 2 1 1 1 3 2 4\n$EndElements\n");
+  const Outcome more = run({"more.msh"});
+  EXPECT_EQ(more.exit_code, 4) << more;
+  EXPECT_THAT(more.out, HasSubstr("; not judged: 48 bytes behind the last section (not read: byte "));
+  files.write("text.msh", sections + "by hand\n");
+  EXPECT_EQ(run({"text.msh"}).exit_code, 0);
 }
 
 TEST_F(Verify, ACrackedMesh) {

@@ -26,10 +26,12 @@ std::string kind_of(const Element& element) {
       {io::Shape::prism, "prisms"},           {io::Shape::pyramid, "pyramids"}};
   const io::ElementType* type = io::element_type(element.type);
   const auto found = type ? names.find(type->shape) : names.end();
-  const char* name = element.type == io::polygon ? "polygons"
-                     : found == names.end()      ? "elements"
-                                                 : found->second;
-  return fmt::format("{} of {} nodes (type {})", name, element.nodes.size(), element.type);
+  const char* name = element.type == io::polygon      ? "polygons"
+                     : element.type == io::polyhedron ? "polyhedra"
+                     : found == names.end()           ? "elements"
+                                                      : found->second;
+  return fmt::format("{} of {} node{} (type {})", name, element.nodes.size(),
+                     element.nodes.size() == 1 ? "" : "s", element.type);
 }
 
 bool same_bits(double a, double b) {

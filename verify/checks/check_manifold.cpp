@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/bytes/words.hpp"
 #include "verify/checks/evidence.hpp"
 
 namespace tetproof::verify {
@@ -70,8 +71,8 @@ void check_manifold(const TetMesh& mesh, const Boundary& boundary, const Conform
         .finding = [&boundary, &edges](std::size_t i) { return edge_finding(boundary, edges[i]); },
         .describe =
             [](std::size_t, Finding& finding) {
-              finding.what =
-                  fmt::format("this edge has {} boundary faces, expected two", finding.faces.size());
+              finding.what = fmt::format("this edge has {}, expected two",
+                                         io::counted(finding.faces.size(), "boundary faces"));
             },
         .cause = [&conformity, &edges](std::size_t i) { return cause_at_edge(conformity, edges[i]); }};
   if (record.wants(Check::boundary_nonmanifold_vertex))

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <concepts>
 
+#include "io/bytes/words.hpp"
 #include "verify/checks/surface_judgement.hpp"
 #include "verify/mesh/volumes.hpp"
 #include "verify/triangles/edges.hpp"
@@ -103,8 +104,8 @@ std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate&
 
 std::string component_name(const SurfaceReport& report, std::size_t i) {
   const SurfaceComponent& c = report.components[i];
-  return fmt::format("component {} ({} triangles from {}, volume {:.6g})", i, c.triangles, c.first_triangle,
-                     c.volume);
+  return fmt::format("component {} ({} from {}, volume {:.6g})", i, io::counted(c.triangles, "triangles"),
+                     c.first_triangle, c.volume);
 }
 
 // Judges the components: their volumes and depths, and whether their orientations agree on what is inside.

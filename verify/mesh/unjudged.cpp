@@ -12,17 +12,8 @@ namespace tetproof::verify {
 namespace {
 
 std::string name_of(const ElementBlock& block) {
-  const io::ElementType* type = io::element_type(block.type);
-  switch (type ? type->shape : io::Shape::other) {
-    case io::Shape::hexahedron:
-      return "hexahedra";
-    case io::Shape::prism:
-      return "prisms";
-    case io::Shape::pyramid:
-      return "pyramids";
-    default:
-      return block.type == io::polyhedron ? "polyhedra" : fmt::format("elements of type {}", block.type);
-  }
+  const std::string name = io::name_of_elements(block.type);
+  return name == "elements" ? fmt::format("elements of type {}", block.type) : name;
 }
 
 // `what` is not read, with the place where the first one is.

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "corpus/surfaces.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/model/element_types.hpp"
@@ -60,7 +61,7 @@ Loaded load(const Arguments& arguments, const program::Common& common) {
   if (loaded.mesh.tets.empty()) {
     std::string others;
     for (const verify::NotJudged& entry : loaded.unjudged.elements)
-      others += fmt::format("{}{} {}", others.empty() ? ", but " : ", ", entry.count, entry.what);
+      others += (others.empty() ? ", but " : ", ") + io::counted(entry.count, entry.what);
     throw InputError(arguments.mesh + ": holds no tetrahedra" + others);
   }
   std::size_t higher = 0;
@@ -69,8 +70,9 @@ Loaded load(const Arguments& arguments, const program::Common& common) {
     if (type && type->shape == io::Shape::tetrahedron && type->nodes > type->corners) higher += block.count;
   }
   if (higher > 0)
-    loaded.notes.push_back(
-        fmt::format("{} tetrahedra of second or higher order are judged by their corners", higher));
+    loaded.notes.push_back(fmt::format("{} of second or higher order {} corners",
+                                       io::counted(higher, "tetrahedra"),
+                                       higher == 1 ? "is judged by its" : "are judged by their"));
   return loaded;
 }
 

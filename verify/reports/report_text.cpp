@@ -2,6 +2,7 @@
 // The report for people: the verdict, what is wrong and where, then counts and measures.
 #include <fmt/core.h>
 
+#include "io/bytes/words.hpp"
 #include "verify/findings_text.hpp"
 #include "verify/report.hpp"
 
@@ -10,18 +11,13 @@ namespace {
 
 constexpr std::size_t most_regions = 12;
 
-std::string counted(std::int64_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string shape_text(const Shape& shape) {
   if (!shape.components) return "components, cavities and genus undefined: the boundary is not closed";
   const std::string cavities = *shape.cavities == 0 ? ""
                                : *shape.cavities == 1
                                    ? " (one of them a cavity)"
                                    : fmt::format(" ({} of them cavities)", *shape.cavities);
-  return fmt::format("{}{}, genus {}", counted(*shape.components, "component", "components"), cavities,
-                     *shape.genus);
+  return fmt::format("{}{}, genus {}", io::counted(*shape.components, "components"), cavities, *shape.genus);
 }
 
 }  // namespace
@@ -37,22 +33,21 @@ std::string report_text(const Report& report, const Numbering& numbering) {
           "undecided {}: measured {:.6g}, allowed {:.6g}, the difference is inside the stated error\n",
           info(result.check).id, result.measured.value_or(0), result.allowed.value_or(0));
 
-  text += fmt::format(
-      "mesh      {}, {}, {}; boundary of {}\n", counted(report.mesh.tets, "tetrahedron", "tetrahedra"),
-      counted(report.mesh.points, "point", "points"),
-      counted(report.mesh.boundary_faces, "boundary face", "boundary faces"), shape_text(report.mesh));
+  text += fmt::format("mesh      {}, {}, {}; boundary of {}\n", io::counted(report.mesh.tets, "tetrahedra"),
+                      io::counted(report.mesh.points, "points"),
+                      io::counted(report.mesh.boundary_faces, "boundary faces"), shape_text(report.mesh));
   for (std::size_t i = 0; i < report.regions.size() && i < most_regions; ++i) {
     const auto& [tag, shape] = report.regions[i];
     text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", tag,
-                        counted(shape.tets, "tetrahedron", "tetrahedra"), shape.volume.value_or(0),
-                        counted(shape.boundary_faces, "face", "faces"), shape_text(shape));
+                        io::counted(shape.tets, "tetrahedra"), shape.volume.value_or(0),
+                        io::counted(shape.boundary_faces, "faces"), shape_text(shape));
   }
   if (report.regions.size() > most_regions)
-    text += fmt::format("          ... {} more regions\n", report.regions.size() - most_regions);
+    text +=
+        fmt::format("          ... {}\n", io::counted(report.regions.size() - most_regions, "more regions"));
   if (report.surface)
-    text += fmt::format("surface   {}, {}; {}\n",
-                        counted(report.surface->boundary_faces, "triangle", "triangles"),
-                        counted(report.surface->points, "vertex", "vertices"), shape_text(*report.surface));
+    text += fmt::format("surface   {}, {}; {}\n", io::counted(report.surface->boundary_faces, "triangles"),
+                        io::counted(report.surface->points, "vertices"), shape_text(*report.surface));
   const VolumeAccount& volume = report.volume;
   if (volume.mesh) {
     text += fmt::format("volume    mesh {:.12g}", *volume.mesh);

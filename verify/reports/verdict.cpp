@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/words.hpp"
 #include "verify/findings_text.hpp"
 
 namespace tetproof::verify {
@@ -24,7 +25,7 @@ const char* verdict_word(const Report& report) {
 }
 
 std::string not_judged_text(const NotJudged& entry) {
-  return fmt::format("{} {} ({})", entry.count, entry.what, entry.why);
+  return fmt::format("{} ({})", io::counted(entry.count, entry.what), entry.why);
 }
 
 std::string verdict_text(const Report& report) {
@@ -35,8 +36,7 @@ std::string verdict_text(const Report& report) {
   else if (!*report.certificate)
     text += ": no certificate";
   else if (incomplete)
-    text += fmt::format(": certified: {} {}", report.mesh.tets,
-                        report.mesh.tets == 1 ? "tetrahedron" : "tetrahedra");
+    text += ": certified: " + io::counted(report.mesh.tets, "tetrahedra");
   else
     text += ": certified, the tetrahedra are a valid triangulation of a solid";
   for (std::size_t i = 0; i < report.not_judged.size(); ++i)

@@ -125,6 +125,29 @@ const std::vector<Case> of_msh{
 
 INSTANTIATE_TEST_SUITE_P(Msh, Dropped, testing::ValuesIn(of_msh), name_of);
 
+// Text is no element; a section, a number and binary bytes may be some.
+TEST(BytesBehindTheLastSection, MayBeElements) {
+  const test::TestFiles files;
+  const auto elements_in = [&](const std::string& bytes) {
+    const Document document =
+        read_document(files.write("a.msh", v22 + nodes22 + elements22("1 4 0 1 2 3 4\n") + bytes));
+    EXPECT_EQ(document.dropped.size(), 1u) << bytes;
+    return !document.dropped.empty() && document.dropped[0].elements;
+  };
+  for (const std::string text : {"garbage $\n", "written by mesher 1.2 at 10:30\n\n \t# end\n", "costs $5",
+                                 "\xC3\xA9t\xC3\xA9\r\n", "-- end --"})
+    EXPECT_FALSE(elements_in(text)) << text;
+  for (const std::string& bytes :
+       {std::string("2 4 0 1 2 3 4\n"), std::string("more\n$Elements\n1\n2 4 0 1 2 3 4\n$EndElements\n"),
+        std::string("more $Elements"), std::string("more\n\n +5"), std::string("end\n.5"),
+        std::string("x\0\0\0", 4), std::string("2,4,0")})
+    EXPECT_TRUE(elements_in(bytes)) << bytes;
+  EXPECT_EQ(
+      read_document(files.write("a.msh", v22 + nodes22 + elements22("1 4 0 1 2 3 4\n") + " \n\t\r\n\v\f"))
+          .dropped.size(),
+      0u);
+}
+
 // TetGen's files.
 
 const std::string node = "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", ele = "1 4\n1 1 2 3 4\n";

@@ -121,7 +121,7 @@ TEST(Unjudged, ADefectIsADefectAllTheSame) {
   const Report report = judged(document);
   EXPECT_TRUE(defective(report));
   EXPECT_FALSE(sound(report));
-  EXPECT_THAT(report_text(report), StartsWith("DEFECTIVE: no certificate; not judged: 1 hexahedra (only "));
+  EXPECT_THAT(report_text(report), StartsWith("DEFECTIVE: no certificate; not judged: 1 hexahedron (only "));
   EXPECT_EQ(Json::parse(report_json(report))["verdict"], "defective");
 }
 
@@ -132,9 +132,9 @@ TEST(Unjudged, MatchersFailWithTheReason) {
   write_document(file, document);
   const std::filesystem::path path = file;
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(path, verify::IsSound()),
-                          "which is incomplete: certified: 48 tetrahedra; not judged: 1 hexahedra");
+                          "which is incomplete: certified: 48 tetrahedra; not judged: 1 hexahedron");
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(path, verify::Fills(boundary_surface(lattice_mesh({2, 2, 2})), 1e-3)),
-                          "not judged: 1 hexahedra (only tetrahedra are judged; the first is element 49)");
+                          "not judged: 1 hexahedron (only tetrahedra are judged; the first is element 49)");
   EXPECT_THAT(path, testing::Not(verify::IsCertified()));
   std::filesystem::remove(path);
 }

@@ -54,6 +54,27 @@ TEST(Content, WinsOverAnEndingOfAnotherFormat) {
     }
 }
 
+TEST(Content, ThatOverrulesTheEndingIsNamedInErrors) {
+  const test::TestFiles files;
+  const std::string note = " because of its content, though its name ends in .mesh)";
+  const std::string gmsh =
+      files.write("x.mesh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 zero\n");
+  const std::string of_gmsh = "x.mesh:6: expected a coordinate, found 'zero' (read as a Gmsh .msh 2.2 file";
+  EXPECT_EQ(files.message([&] { read_document(gmsh); }), of_gmsh + note);
+  EXPECT_EQ(files.message([&] { read_surface(gmsh); }), of_gmsh + note);
+  // What is no surface is a fault of the format that was read, too.
+  const std::string edge = files.write("y.mesh", "OFF 2 1 0\n0 0 0\n1 0 0\n2 0 1\n");
+  const std::string message = files.message([&] { read_surface(edge); });
+  EXPECT_TRUE(message.ends_with(" (read as an OFF file" + note)) << message;
+  // An ending that agrees, or says nothing, needs no note.
+  files.write("z.off", "OFF 1 0 0\n0 0 zero\n");
+  files.write("z", "OFF 1 0 0\n0 0 zero\n");
+  EXPECT_EQ(files.message([&] { read_document(files.path("z.off")); }),
+            "z.off:2: expected a coordinate, found 'zero'");
+  EXPECT_EQ(files.message([&] { read_document(files.path("z")); }),
+            "z:2: expected a coordinate, found 'zero'");
+}
+
 TEST(Content, DecidesWhereTheEndingSaysNothing) {
   const test::TestFiles files;
   for (const auto& [ending, what] : recognised)
@@ -82,6 +103,12 @@ TEST(Content, RecognisesEveryVersionAndForm) {
       {"$NOD\n0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", "msh1"},
       {"\xEF\xBB\xBFOFF 0 0 0\n", "off"},
       {"# a comment\nOFF0 0 0\n", "off"},
+      {"# vtk DataFile Version 3.0\nOFF\n0 0 0\n", "off"},  // VTK's third line is ASCII or BINARY
+      {"# vtk DataFile Version 3.0\n# title\n# ASCII\nv 1 2 3\n", "obj"},
+      {"# vtk DataFile Version 3.0\nby hand\n", "no format"},
+      {"# VTK datafile version 2.0\r\nby hand\r\n \tAscii\r\nDATASET UNSTRUCTURED_GRID\r\nPOINTS 0 float\r\n",
+       "vtk"},
+      {"# vtk DataFile Version 2.0\n\n\nbinary\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 float\n", "vtk"},
       {"STCNOFF\n0 0 0\n", "off"},
       {"solid x\n facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
        "0\nendloop\nendfacet\n",

@@ -2,6 +2,9 @@
 // The table of element types, compared with the number of nodes of a complete element of each order.
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/model/element_types.hpp"
@@ -65,8 +68,17 @@ TEST(ElementTypes, CompleteOnesOfEachOrder) {
 
 TEST(ElementTypes, NamesOnlyWhatHasAKnownNumberOfNodes) {
   for (int polygon_or_polyhedron : {34, 35, 69}) EXPECT_FALSE(element_type(polygon_or_polyhedron));
-  for (int none : {-1, 0, 76, 77, 78, 141, 1 << 30}) EXPECT_FALSE(element_type(none));
+  for (std::int64_t none : {-1L, 0L, 76L, 77L, 78L, 141L, 1L << 30, 4L + (1L << 32), -4L})
+    EXPECT_FALSE(element_type(none));
   EXPECT_EQ(element_type(15)->nodes, 1);
+}
+
+TEST(ElementTypes, HaveAWord) {
+  const std::vector<std::pair<int, std::string>> words{
+      {15, "points"},     {8, "lines"},      {9, "triangles"},  {16, "quadrangles"},
+      {11, "tetrahedra"}, {5, "hexahedra"},  {13, "prisms"},    {7, "pyramids"},
+      {34, "polygons"},   {35, "polyhedra"}, {132, "elements"}, {-1, "elements"}};
+  for (const auto& [type, word] : words) EXPECT_EQ(name_of_elements(type), word) << type;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "io/losses.hpp"
 #include "io/mesh_files.hpp"
+#include "io/surface_files.hpp"
 #include "tests/support/document_text.hpp"
 #include "tests/support/test_files.hpp"
 #include "tests/unit/io/surface/surface_document_text.hpp"
@@ -125,7 +126,7 @@ const std::vector<Case> cases{
      "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 1 .5 1\n1 0 0 0 1 0 2 3 4 0 0\n0 1 0 1 0 -0 5 6 300 1 1\n3 0 1 2\n",
      "e2: 0 1 2\nnode normal x3: 0 0 1 0 1 0 1 0 -0\nnode color x3 i: 255 0 1 2 3 4 5 6 300\n"
      "node texture x2: 0.5 1 0 0 1 1\n",
-     {"a.off: 1 numbers in colours of vertices are outside of 0 to 255"}},
+     {"a.off: 1 number in colours of vertices is outside of 0 to 255"}},
     {"OffWholeReals", "a.off", "OFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 0 1\n0 1 0 1 1 1\n3 0 1 2\n",
      "e2: 0 1 2\nnode color x3: 1 0 0 0 0 1 1 1 1\n"},
     {"OffUnknownVertex", "a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n", "e2: 0 1 9\n"},
@@ -291,6 +292,27 @@ TEST_P(SurfaceDocuments, ReadAndWrittenAgain) {
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceDocuments, testing::ValuesIn(cases),
                          [](const auto& test) { return test.param.name; });
+
+// Also where only the surface is read.
+TEST(StlAsASurface, SaysTheSameOfNormalsAndCounts) {
+  const test::TestFiles files;
+  std::string without_count = binary_stl("", 0, -1);
+  without_count[80] = 0;
+  for (const std::string& bytes : {"solid\nfacet normal 0 0 -2" + facet.substr(18) + other_facet,
+                                   binary_stl("", 0, -1), without_count, binary_stl("", 0)}) {
+    const std::string path = files.write("a.stl", bytes);
+    const SurfaceFile surface = read_surface_file(path);
+    const Document document = read_document(path);
+    EXPECT_EQ(surface.warnings, document.warnings);
+    ASSERT_EQ(surface.dropped.size(), document.dropped.size());
+    for (std::size_t k = 0; k < surface.dropped.size(); ++k) {
+      EXPECT_EQ(surface.dropped[k].item, document.dropped[k].item);
+      EXPECT_EQ(surface.dropped[k].count, document.dropped[k].count);
+      EXPECT_EQ(surface.dropped[k].example, document.dropped[k].example);
+    }
+    EXPECT_EQ(surface.dropped.size(), bytes == binary_stl("", 0) ? 0u : 1u);
+  }
+}
 
 }  // namespace
 }  // namespace tetproof

@@ -138,7 +138,7 @@ const std::vector<Case> cases{
     {"OffFaceMissing", "a.off", off_points,
      "a.off:7: expected the number of a face's corners, found the end of the file"},
     {"OffMoreFacesThanAnnounced", "a.off", off_points + "3 0 1 2\n3 0 2 3\n",
-     "a.off:8: expected the end of the file after 1 faces, found '3'"},
+     "a.off:8: expected the end of the file after 1 face, found '3'"},
     {"OffNotConvex", "a.off", "OFF 4 1 0\n0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n4 0 1 2 3\n",
      "a.off:6: face with 4 corners is not convex: it turns inwards at corner 3; cut it into triangles"},
     {"OffNotPlanar", "a.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n",

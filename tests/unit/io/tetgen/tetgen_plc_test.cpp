@@ -120,7 +120,7 @@ TEST(TetgenPlc, IsASurface) {
   };
   EXPECT_EQ(
       refused("2\n1\n3 1 2 3\n1 1\n4 1 2 3 4\n1 .5 .5 0\n0\n"),
-      "a.poly:11: face is of a facet of 1 polygons and 1 holes, expected one polygon without holes; cut it "
+      "a.poly:11: face is of a facet of 1 polygon and 1 hole, expected one polygon without holes; cut it "
       "into triangles");
   EXPECT_EQ(refused("1\n1\n4 1 2 3 5\n0\n").substr(0, 50),
             "a.poly:9: face with 4 corners is not planar: a cor");

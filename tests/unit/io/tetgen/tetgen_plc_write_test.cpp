@@ -56,7 +56,7 @@ TEST(TetgenWrite, Smesh) {
   const test::TestFiles files;
   Document document = boundary();
   EXPECT_EQ(files.message([&] { write_document(files.path("a.smesh"), document); }),
-            "a.smesh: cannot write it: a facet of 3 polygons and 1 holes (element 2) has no place in a "
+            "a.smesh: cannot write it: a facet of 3 polygons and 1 hole (element 2) has no place in a "
             ".smesh; write a .poly");
   EXPECT_TRUE(std::filesystem::is_empty(files.path("")));
   document.facets.clear();

@@ -59,8 +59,21 @@ const std::vector<Case> of_vtk{
      {{"a.vtk", vtk(tet,
                     "CELL_DATA 1\nSCALARS a%20b int\nLOOKUP_TABLE mine\n1\nLOOKUP_TABLE mine 1\n0 0.2 0.5 1\n"
                     "VECTORS v double\n1 2 3\nGLOBAL_IDS g int\n7\nCOLOR_SCALARS c 2\n0.4 0.1\n")}},
-     {"lookup tables of values: 1 (\"mine\" of \"a b\")", "attribute roles of values: 4 (\"a b\" as SCALARS)",
-      "colours, rounded to bytes: 2 (\"mine\")"}},
+     {"lookup tables of values: 1 (\"mine\" of \"a b\")", "colours, rounded to bytes: 2 (\"mine\")",
+      "attribute roles of values: 2 (\"g\" as GLOBAL_IDS)"}},
+    {"NoRolesWithoutAField",
+     {{"a.vtk", vtk(tet,
+                    "POINT_DATA 8\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\nSCALARS b int\n"
+                    "LOOKUP_TABLE default\n1 2 3 4 5 6 7 8\nCELL_DATA 1\nVECTORS v double\n1 2 3\nTENSORS t "
+                    "float\n1 2 3 4 5 6 7 8 9\n")}},
+     {}},
+    {"RolesBesideAField",
+     {{"a.vtk", vtk(tet,
+                    "POINT_DATA 8\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\nSCALARS b int\n"
+                    "LOOKUP_TABLE default\n1 2 3 4 5 6 7 8\nCELL_DATA 1\nFIELD FieldData 1\nu 1 1 int\n1\n"
+                    "SCALARS entity int\nLOOKUP_TABLE default\n7\nScalars c int\nLOOKUP_TABLE default\n1\n"
+                    "SCALARS d int\nLOOKUP_TABLE default\n1\n")}},
+     {"attribute roles of values: 1 (\"c\" as Scalars)"}},
     {"NamesOfFieldsAndMetadata",
      {{"a.vtk",
        vtk(tet,
@@ -111,6 +124,10 @@ const std::vector<Case> of_vtu{
                           "location=\"vtkDataArray\"/></DataArray></PointData>\n"))}},
      {"attribute roles of values: 2 (\"T\" as Scalars)", "names of components: 1 (\"Kelvin\" of \"T\")",
       "information UNITS_LABEL: 1 (\"T\")"}},
+    {"NoRolesOfEntitiesAndGroups",
+     {{"a.vtu", vtu(piece("<CellData Scalars=\"entity\" GlobalIds=\"group 2\"><DataArray type=\"Int32\" "
+                          "Name=\"entity\">7</DataArray></CellData>"))}},
+     {}},
     {"Pieces", {{"a.vtu", vtu(piece() + piece())}}, {"division into pieces: 1 (2 pieces)"}},
     {"APieceWithoutPointsDividesNothing",
      {{"a.vtu",

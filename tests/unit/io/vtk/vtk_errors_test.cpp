@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedFile{"NoTypes", "a.vtk", points + "CELLS 1 2\n1 0\n",
                     "a.vtk:9: expected CELL_TYPES, found the end of the file"},
         RefusedFile{"TypeAndSize", "a.vtk", points + "CELLS 1 2\n1 0\nCELL_TYPES 1\n10\n",
-                    "a.vtk: cell 0: a cell of VTK's type 10 does not have 1 points"},
+                    "a.vtk: cell 0: a cell of VTK's type 10 does not have 1 point"},
         RefusedFile{"UnknownWord", "a.vtk", points + "POINT_DATA 1\nSCALRS a int\n",
                     "a.vtk:8: expected an attribute of points or cells, found 'SCALRS'"},
         RefusedFile{"TooManyValues", "a.vtk", points + "POINT_DATA 99999\nVECTORS a float\n1\n",
