@@ -135,8 +135,9 @@ class Section2 {
     Point best = triangles_.at(0)[0];
     for (const Triangle& t : triangles_) {
       const Point low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-      const double before = (best - p).squaredNorm();
-      if ((p.cwiseMax(low).cwiseMin(high) - p).squaredNorm() > before * (1 + 1e-9)) continue;  // far away
+      const double before = (best - p).squaredNorm(), box = (p.cwiseMax(low).cwiseMin(high) - p).norm();
+      // Far away. The second term is more than rounding moves a closest point.
+      if (box > std::sqrt(before) * (1 + 1e-9) + 1e-13 * (low.norm() + high.norm() + p.norm())) continue;
       const Point q = closest_point(t, p);
       const double now = (q - p).squaredNorm();
       if (now < before || (now == before && lexicographically_less(q, best))) best = q;
@@ -153,7 +154,7 @@ class Section2 {
       const bool settles = mended_.contains(v) || (closest - p).squaredNorm() < tolerance * tolerance;
       if (settles) settled_[v] = closest;                                       // reading D4
       const bool inside = is_inside(p) == (options_.region == Region::inside);  // reading D5
-      initial_.push_back(settles || closest == p ? 0 : inside ? 1 : -1);
+      initial_.push_back(settles || is_on_surface(p) ? 0 : inside ? 1 : -1);
     }
     std::map<Edge, EdgePoints> met;
     for (const auto& [v, w] : edges_)
