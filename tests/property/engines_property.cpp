@@ -61,7 +61,7 @@ std::string generated(int kind, int a, int b, int c) {
     case 8:
       return fmt::format("hollow:m=4,wall={},h={}", 0.1 + x, 0.5 + y);
     case 9:
-      return fmt::format("bottle:m=4,wall={},neck={}", 0.5 + x, 0.1 + y);
+      return fmt::format("bottle:m=4,wall={},neck={}", 0.5 + x, 0.1 + 0.8 * y);
     default:
       return fmt::format("pair:m={},gap={},x={}", 1 + x, 0.1 + y, z);
   }
