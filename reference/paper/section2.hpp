@@ -120,10 +120,9 @@ class Section2 {
   // --- (iii) indicators
 
   bool is_inside(const Point& p) const {  // reading D4
-    return std::count_if(triangles_.begin(), triangles_.end(),
-                         [&](const Triangle& t) { return crosses_before(t, p); }) %
-               2 ==
-           1;
+    bool inside = false;
+    for (const Triangle& t : triangles_) inside = inside != crosses_before(t, p);
+    return inside;
   }
   bool is_on_surface(const Point& p) const {
     return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) { return is_on(t, p); });

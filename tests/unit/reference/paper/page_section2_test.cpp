@@ -11,18 +11,18 @@ namespace {
 TEST(PageLattice, ByHand) {
   TriangleSurface s = cube();
   for (Point& v : s.vertices) v.x() *= 2;
-  Page page(s, {.cells = {4, 0, 0}, .box_scale = 2});
+  Page page(s, {.cells = {8, 0, 0}, .box_scale = 2});
   page.make_lattice();
-  EXPECT_EQ(page.cells_, (std::array{4, 2, 2}));
-  EXPECT_EQ(page.planes_[0], (std::vector<double>{-1, 0, 1, 2, 3}));
-  EXPECT_EQ(page.planes_[2], (std::vector<double>{-0.5, 0.5, 1.5}));
-  EXPECT_EQ(page.shortest_edge_, 1);
-  EXPECT_EQ(page.number({1, 2, 1}), 1 + 5 * (2 + 3 * 1));
-  EXPECT_EQ(page.lattice_[page.number({1, 2, 1})], Point(0, 1.5, 0.5));
-  ASSERT_EQ(page.lattice_tets_.size(), 6u * 16);
-  EXPECT_EQ(page.lattice_tets_[1], (Tet{0, 1, 1 + 15, 1 + 5 + 15}));  // the path x, z, y
+  EXPECT_EQ(page.cells_, (std::array{8, 4, 4}));
+  EXPECT_EQ(page.planes_[0], (std::vector<double>{-1, -0.5, 0, 0.5, 1, 1.5, 2, 2.5, 3}));
+  EXPECT_EQ(page.planes_[2], (std::vector<double>{-0.5, 0, 0.5, 1, 1.5}));
+  EXPECT_EQ(page.shortest_edge_, 0.5);
+  EXPECT_EQ(page.number({1, 2, 1}), 1 + 9 * (2 + 5 * 1));
+  EXPECT_EQ(page.lattice_[page.number({1, 2, 1})], Point(-0.5, 0.5, 0));
+  ASSERT_EQ(page.lattice_tets_.size(), 6u * 128);
+  EXPECT_EQ(page.lattice_tets_[1], (Tet{0, 1, 1 + 45, 1 + 9 + 45}));  // the path x, z, y
   // Along x, y, z; a diagonal in each square, in xy, xz, yz; a diagonal in each cell.
-  EXPECT_EQ(page.edges_.size(), (36u + 30 + 30) + (24 + 24 + 20) + 16);
+  EXPECT_EQ(page.edges_.size(), (200u + 180 + 180) + (160 + 160 + 144) + 128);
 }
 
 TEST(PageSurface, PointsOfACube) {
