@@ -45,7 +45,13 @@ Generation generate(const TriangleSurface& given, const Options& options) {
   const auto phase = [&](std::string_view name) {
     if (options.listener.phase) options.listener.phase(name);
   };
-  const Recorder& record = options.listener.record;
+  std::vector<trace::Record> own_steps;  // of steps (i) to (iv), to check a trace with
+  Recorder record = options.listener.record;
+  if (!options.follow.empty())
+    record = [&](const trace::Record& made) {
+      own_steps.push_back(made);
+      if (options.listener.record) options.listener.record(made);
+    };
 
   phase("lattice");
   const Lattice lattice = make_lattice(surface, options.cells, options.box_scale);  // (i), eq. 2.1
@@ -117,16 +123,21 @@ Generation generate(const TriangleSurface& given, const Options& options) {
     for (const MappedPoint& point : mapped)
       if (record) record(trace::Mapped{point.from, point.moved ? point.to : point.from});
   }
-  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0) {  // (v), (vi)
-    AdaptOptions adapt_options = *options.adapt;
-    adapt_options.literal = options.literal;
-    if (options.follow.empty())
-      result.adaptation = adapt(result.grid, surface, adapt_options, true_surface.get(), options.listener);
-    else
-      result.adaptation = follow(result.grid, surface, adapt_options, true_surface.get(),
-                                 settings_of(options, static_cast<bool>(surface.evaluate)), options.follow,
-                                 options.listener, result.follow.emplace());
+  std::optional<AdaptOptions> adapt_options;  // (v), (vi)
+  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0) {
+    adapt_options = options.adapt;
+    adapt_options->literal = options.literal;
   }
+  if (!options.follow.empty())
+    result.adaptation = follow({.grid = result.grid,
+                                .surface = surface,
+                                .true_surface = true_surface.get(),
+                                .settings = settings_of(options, static_cast<bool>(surface.evaluate)),
+                                .first_steps = std::move(own_steps)},
+                               adapt_options ? &*adapt_options : nullptr, options.follow, options.listener,
+                               result.follow.emplace());
+  else if (adapt_options)
+    result.adaptation = adapt(result.grid, surface, *adapt_options, true_surface.get(), options.listener);
   if (record) record(end_of(result));
   return result;
 }

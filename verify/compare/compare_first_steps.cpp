@@ -120,7 +120,8 @@ FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.r
   });
 }
 
-void FirstSteps::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
+void FirstSteps::compare(TraceStream& other, Differences& differences,
+                         std::vector<std::string>& not_compared) {
   Settings settings;
   std::int64_t settings_line = 0;
   // These wait until all records are read, because only then it is known what rounding decides.
@@ -199,8 +200,7 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   const auto exactly = [](const auto&) { return false; };
   const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {
     if (kind.left_out())
-      notes.push_back(
-          fmt::format("{} are not compared: {} has none", of, kind.empty() ? "reference" : "other"));
+      not_compared.push_back(fmt::format("{}: {} has none", of, kind.empty() ? "reference" : "other"));
     kind.rest(differences, called, by_rounding);
   };
   rest(indicators_, "indicators", exactly);
@@ -209,10 +209,6 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   rest(cuts_, "cuts", exactly);
   rest(rows_, "rows of Table 2", exactly);
   rest(mapped_, "mapped points", exactly);
-}
-
-double FirstSteps::magnitude() const {
-  return std::max(lattice_.box[0].lpNorm<Eigen::Infinity>(), lattice_.box[1].lpNorm<Eigen::Infinity>());
 }
 
 Point FirstSteps::position(const LatticeVertex& vertex) const {
