@@ -20,11 +20,12 @@ struct TraceSide {
 
 /// What checking one trace against the method says, decision by decision (reference/follow).
 struct CheckedTrace {
-  std::string cannot;      ///< why it could not be checked; empty: it was
-  bool admissible = true;  ///< whether the method and the readings allow every decision
-  std::int64_t line = 0;   ///< of the first decision that is not admissible
-  std::string what;        ///< that decision, and what the method does instead
-  std::int64_t ties = 0;   ///< decisions that tie with those of the method
+  std::string cannot;                    ///< why it could not be checked; empty: it was
+  bool admissible = true;                ///< whether the method and the readings allow every decision
+  std::int64_t line = 0;                 ///< of the first decision that is not admissible
+  std::string what;                      ///< that decision, and what the method does instead
+  std::int64_t ties = 0;                 ///< decisions that tie with those of the method
+  std::vector<std::string> not_checked;  ///< kinds of records that the trace leaves out
 };
 /// Checks the trace in a file, with the settings that the trace itself states. verify/ has no such function:
 /// the caller passes one, so that the judge and the method stay strangers to each other.

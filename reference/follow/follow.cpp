@@ -66,12 +66,6 @@ void check_end_record(trace::Reader& reader, const trace::End& theirs, const tra
     throw Divergence{fmt::format("a '{}' record after the end", trace::name_of(*more))};
 }
 
-[[noreturn]] void fail_truncated(const trace::Reader& reader) {
-  throw Divergence{
-      fmt::format("the trace breaks off after line {}: expected an 'end' record, found the end of the file",
-                  reader.line())};
-}
-
 // Follows the records of step (vi) up to the end of the trace. Returns the reason to stop that it gives.
 Stop follow_steps(Replay& replay) {
   while (replay.record) {
@@ -104,7 +98,6 @@ Stop follow_steps(Replay& replay) {
 
 // The trace of a grid that is not adapted: after steps (i) to (iv) it ends.
 void follow_to_the_end(trace::Reader& reader, std::optional<trace::Record> next, const Grid& grid) {
-  if (!next) fail_truncated(reader);
   const auto* end = std::get_if<trace::End>(&*next);
   if (!end)
     throw Divergence{fmt::format("the first grid {}, so that it is not adapted; the trace has a '{}' record",
@@ -137,11 +130,11 @@ std::optional<Adaptation> follow(const OwnRun& own, const AdaptOptions* options,
       follow_to_the_end(reader, std::move(next), own.grid);
       return std::nullopt;
     }
-    TraceStart start = read_start(reader, std::move(next));
+    TraceStart start = read_start(reader, next);
     make_replay();
     start_with(adopt(own.grid, start, replay->points));
     compare_weights(start, *replay->insertion, replay->points);
-    replay->record = std::move(start.next);
+    replay->record = std::move(next);
     stopped = follow_steps(*replay);
   } catch (const Divergence& divergence) {
     outcome.admissible = false;

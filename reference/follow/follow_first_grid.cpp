@@ -48,10 +48,10 @@ void compare(const trace::Weight& theirs, std::int64_t line, const Weight& ours,
 
 }  // namespace
 
-TraceStart read_start(trace::Reader& reader, std::optional<trace::Record> next) {
+TraceStart read_start(trace::Reader& reader, std::optional<trace::Record>& next) {
   TraceStart start;
-  for (start.next = std::move(next); start.next; start.next = reader.next()) {
-    const trace::Record& record = *start.next;
+  for (; next; next = reader.next()) {
+    const trace::Record& record = *next;
     if (const auto* weight = std::get_if<trace::Weight>(&record)) {
       start.weights.push_back(*weight);
       start.lines.push_back(reader.line());
@@ -67,10 +67,9 @@ TraceStart read_start(trace::Reader& reader, std::optional<trace::Record> next) 
     }
   }
   if (!start.first_grid_line || start.weights.empty())
-    throw InputError(
-        fmt::format("{}:{}: expected the records 'first_grid' and 'weight' of step (v), found {}",
-                    reader.path(), reader.line(),
-                    start.next ? fmt::format("'{}'", trace::name_of(*start.next)) : "the end of the file"));
+    throw InputError(fmt::format(
+        "{}:{}: expected the records 'first_grid' and 'weight' of step (v), found {}", reader.path(),
+        reader.line(), next ? fmt::format("'{}'", trace::name_of(*next)) : "the end of the file"));
   return start;
 }
 

@@ -20,12 +20,12 @@ struct TraceStart {
   std::vector<std::int64_t> lines;  ///< of the weights
   /// The position in `weights` for each tetrahedron, by the sorted numbers of its points. Filled by `adopt`.
   std::map<Corners, std::size_t> named;
-  std::optional<trace::Record> next;  ///< the first record of step (vi)
 };
 
-/// Reads step (v) of a trace; `next` is its first record there. Throws InputError if it has no step (v), and
+/// Reads step (v) of a trace; `next` is its first record there, and afterwards the
+/// first record of step (vi). Throws InputError if it has no step (v), and
 /// Divergence if it has two `first_grid` records, or records of an earlier step.
-TraceStart read_start(trace::Reader& reader, std::optional<trace::Record> next);
+TraceStart read_start(trace::Reader& reader, std::optional<trace::Record>& next);
 
 /// Our first grid with the coordinates of the trace. Throws Divergence if its tetrahedra are not those of the
 /// trace.

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "io/error.hpp"
 #include "reference/follow/follow_points.hpp"
 
 namespace tetproof::reference {
@@ -181,6 +182,12 @@ void compare(const trace::Settings& theirs, const trace::Settings& ours) {
 
 }  // namespace
 
+void fail_truncated(const trace::Reader& reader) {
+  throw InputError(
+      fmt::format("{}:{}: expected an 'end' record, found the end of the file: the trace breaks off",
+                  reader.path(), reader.line()));
+}
+
 std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
                                                const trace::Settings& own_settings,
                                                std::vector<std::string>& not_checked) {
@@ -196,7 +203,8 @@ std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std:
       break;
     }
   }
-  if (!has_settings) compare(trace::Settings{}, own_settings);
+  if (!next) fail_truncated(reader);
+  if (!has_settings) not_checked.emplace_back("settings");
   check.end(not_checked);
   return next;
 }

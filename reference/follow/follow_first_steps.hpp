@@ -14,9 +14,13 @@ namespace tetproof::reference {
 /// the records of our steps (i) to (iv). Records of one kind may come in any order. `own_settings` are those
 /// of our run; the number of points is not compared. Returns the first record that was not read here; nothing
 /// at the end. Throws Divergence for a record that differs, that stands twice, or that is missing.
-/// `not_checked` gets the kinds of records that the trace leaves out altogether.
+/// `not_checked` gets the kinds of records that the trace leaves out altogether. Throws InputError for a
+/// trace that breaks off here.
 std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
                                                const trace::Settings& own_settings,
                                                std::vector<std::string>& not_checked);
+
+/// Throws InputError: the trace ends without an `end` record.
+[[noreturn]] void fail_truncated(const trace::Reader& reader);
 
 }  // namespace tetproof::reference

@@ -242,7 +242,8 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (!common.json.empty()) program::write_json(common.json, json);
   const bool admissible = !made.follow || made.follow->admissible;
   if (verify::defective(report) || !admissible) return program::wrong;
-  return verify::sound(report) ? program::sound : program::incomplete;
+  const bool all_checked = !made.follow || made.follow->not_checked.empty();
+  return verify::sound(report) && all_checked ? program::sound : program::incomplete;
 }
 
 }  // namespace

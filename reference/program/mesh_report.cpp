@@ -108,12 +108,15 @@ std::string generation_text(const Generation& made) {
     text +=
         fmt::format("grid: {} tetrahedra, {} points\n", made.mesh().tets.size(), made.mesh().points.size());
   }
-  if (made.follow)
+  if (made.follow) {
+    for (const std::string& what : made.follow->not_checked)
+      text += fmt::format("not checked: the trace has no records of its {}\n", what);
     text +=
         made.follow->admissible
             ? fmt::format("every decision of the trace is admissible, {} of them by a tie\n",
                           made.follow->ties)
             : fmt::format("not admissible, line {} of the trace: {}\n", made.follow->line, made.follow->what);
+  }
   return text;
 }
 
@@ -142,7 +145,8 @@ void add_generation(Json& json, const std::string& surface_name, const verify::S
     json["follow"] = {{"admissible", made.follow->admissible},
                       {"line", made.follow->line},
                       {"what", made.follow->what},
-                      {"ties", made.follow->ties}};
+                      {"ties", made.follow->ties},
+                      {"not_checked", made.follow->not_checked}};
 }
 
 }  // namespace tetproof::reference

@@ -50,6 +50,8 @@ void resolve(TraceComparison& result, const CheckTrace& check) {
   const CheckedTrace other = check(result.other.file), reference = check(result.reference.file);
   for (const auto& [checked, side] :
        {std::pair(&other, &result.other), std::pair(&reference, &result.reference)}) {
+    for (const std::string& what : checked->not_checked)
+      result.not_compared.push_back(fmt::format("{}: {} has none", what, side->file));
     if (!checked->cannot.empty()) {
       result.notes.push_back(fmt::format("{} could not be checked: {}", side->file, checked->cannot));
     } else if (!checked->admissible) {

@@ -100,6 +100,7 @@ CheckedTrace check_trace(const std::string& path, const std::string& surface_giv
     checked.line = made.follow->line;
     checked.what = made.follow->what;
     checked.ties = made.follow->ties;
+    checked.not_checked = made.follow->not_checked;
   } catch (const InputError& error) {
     return cannot(error.what());
   }
