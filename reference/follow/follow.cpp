@@ -97,12 +97,12 @@ Stop follow_steps(Replay& replay) {
 }
 
 // The trace of a grid that is not adapted: after steps (i) to (iv) it ends.
-void follow_to_the_end(trace::Reader& reader, std::optional<trace::Record> next, const Grid& grid) {
-  const auto* end = std::get_if<trace::End>(&*next);
+void follow_to_the_end(trace::Reader& reader, const trace::Record& next, const Grid& grid) {
+  const auto* end = std::get_if<trace::End>(&next);
   if (!end)
     throw Divergence{fmt::format("the first grid {}, so that it is not adapted; the trace has a '{}' record",
                                  grid.mesh.tets.empty() ? "is empty" : "is the result",
-                                 trace::name_of(*next))};
+                                 trace::name_of(next))};
   if (end->stopped != "not-asked")
     throw Divergence{fmt::format("the end: stopped: not-asked, not {}", end->stopped)};
   check_end_record(reader, *end, {.points = std::ssize(grid.mesh.points), .tets = std::ssize(grid.mesh.tets)},
@@ -127,7 +127,7 @@ std::optional<Adaptation> follow(const OwnRun& own, const AdaptOptions* options,
     std::optional<trace::Record> next =
         check_first_steps(reader, own.first_steps, own.settings, outcome.not_checked);
     if (!options) {
-      follow_to_the_end(reader, std::move(next), own.grid);
+      follow_to_the_end(reader, *next, own.grid);
       return std::nullopt;
     }
     TraceStart start = read_start(reader, next);

@@ -188,9 +188,8 @@ void fail_truncated(const trace::Reader& reader) {
                   reader.path(), reader.line()));
 }
 
-std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
-                                               const trace::Settings& own_settings,
-                                               std::vector<std::string>& not_checked) {
+trace::Record check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
+                                const trace::Settings& own_settings, std::vector<std::string>& not_checked) {
   FirstStepsCheck check(ours);
   bool has_settings = false;
   std::optional<trace::Record> next;
@@ -206,7 +205,7 @@ std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std:
   if (!next) fail_truncated(reader);
   if (!has_settings) not_checked.emplace_back("settings");
   check.end(not_checked);
-  return next;
+  return std::move(*next);
 }
 
 }  // namespace tetproof::reference

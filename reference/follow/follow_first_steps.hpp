@@ -16,9 +16,8 @@ namespace tetproof::reference {
 /// at the end. Throws Divergence for a record that differs, that stands twice, or that is missing.
 /// `not_checked` gets the kinds of records that the trace leaves out altogether. Throws InputError for a
 /// trace that breaks off here.
-std::optional<trace::Record> check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
-                                               const trace::Settings& own_settings,
-                                               std::vector<std::string>& not_checked);
+trace::Record check_first_steps(trace::Reader& reader, const std::vector<trace::Record>& ours,
+                                const trace::Settings& own_settings, std::vector<std::string>& not_checked);
 
 /// Throws InputError: the trace ends without an `end` record.
 [[noreturn]] void fail_truncated(const trace::Reader& reader);
