@@ -34,12 +34,32 @@ trace::End end_of(const Generation& made) {
   return end;
 }
 
+// The options with a number of cells for which the grid is not empty, if there is one up to `most_cells`.
+Options with_enough_cells(const TriangleSurface& surface, Options options) {
+  Options first_grid_only = options;
+  first_grid_only.adapt.reset();
+  first_grid_only.follow.clear();
+  first_grid_only.listener = {};
+  first_grid_only.raise_cells = false;
+  first_grid_only.engine = Engine::fast;
+  for (int cells = options.cells[0]; cells <= Options::most_cells; cells *= 2) {
+    first_grid_only.cells[0] = cells;
+    if (!generate(surface, first_grid_only).grid.mesh.tets.empty()) {
+      options.cells[0] = cells;
+      break;
+    }
+  }
+  options.raise_cells = false;
+  return options;
+}
+
 }  // namespace
 
 Generation generate(const TriangleSurface& given, const Options& options) {
   check(options);
   const std::optional<TriangleSurface> used = without_unused_vertices(given);
   const TriangleSurface& surface = used ? *used : given;
+  if (options.raise_cells) return generate(surface, with_enough_cells(surface, options));
   if (options.engine == Engine::paper) return generate_by_page(surface, options);
   const double tolerance = options.literal ? 0 : options.on_surface;
   const auto phase = [&](std::string_view name) {
