@@ -235,7 +235,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
                                     Differences& differences) const {
   for (const Waiting& row : rows) {
     const Indicators &a = row.reference->record, &b = row.other;
-    for (const auto& [step, in_a, in_b, when] :
+    for (const auto& [step, in_a, in_b, moment] :
          {std::tuple{Step::indicators, &a.initial, &b.initial, "initially"},
           std::tuple{Step::table3, &a.after, &b.after, "after Table 3"}}) {
       for (std::size_t i = 0; i < std::max(in_a->size(), in_b->size()); ++i) {
@@ -247,7 +247,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
                                                 (its == '0' && vertices_.near.contains(vertex)));
         differences.add(
             step, row.reference->line, row.line,
-            [&, when = when] {
+            [&, when = moment] {
               const auto says = [](char indicator) {
                 return indicator == ' ' ? std::string("not there") : word(indicator);
               };
