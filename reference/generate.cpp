@@ -8,14 +8,14 @@
 #include <mutex>
 #include <utility>
 
+#include "io/surface/used_vertices.hpp"
+#include "reference/by_page/generate_by_page.hpp"
 #include "reference/engine/first_grid/contacts.hpp"
 #include "reference/engine/first_grid/exact.hpp"
 #include "reference/engine/first_grid/first_grid_records.hpp"
 #include "reference/engine/first_grid/inside.hpp"
 #include "reference/engine/first_grid/intersections.hpp"
 #include "reference/engine/first_grid/mend.hpp"
-#include "reference/generate_by_page.hpp"
-#include "reference/used_vertices.hpp"
 
 namespace tetproof::reference {
 namespace {
@@ -57,7 +57,7 @@ Options with_enough_cells(const TriangleSurface& surface, Options options) {
 
 Generation generate(const TriangleSurface& given, const Options& options) {
   check(options);
-  const std::optional<TriangleSurface> used = without_unused_vertices(given);
+  const std::optional<TriangleSurface> used = io::without_unused_vertices(given);
   const TriangleSurface& surface = used ? *used : given;
   if (options.raise_cells) return generate(surface, with_enough_cells(surface, options));
   if (options.engine == Engine::paper) return generate_by_page(surface, options);

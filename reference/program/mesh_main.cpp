@@ -18,10 +18,10 @@
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
 #include "io/program/report_losses.hpp"
+#include "io/surface/used_vertices.hpp"
 #include "reference/program/mesh_options.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
-#include "reference/used_vertices.hpp"
 #include "verify/reports/report_json.hpp"
 #include "verify/surface.hpp"
 #include "verify/verify.hpp"
@@ -131,7 +131,7 @@ TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, cons
 
 // The surface without vertices that no triangle names, and says how many there are.
 TriangleSurface used_part(TriangleSurface surface, const Arguments& a, const program::Common& common) {
-  std::optional<TriangleSurface> used = reference::without_unused_vertices(surface);
+  std::optional<TriangleSurface> used = io::without_unused_vertices(surface);
   if (!used) return surface;
   const auto left_out = surface.vertices.size() - used->vertices.size();
   program::say(common, fmt::format("{}: without {} that no triangle names", a.surface,
