@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/bytes/words.hpp"
+
 namespace tetproof::reference {
 namespace {
 
@@ -61,14 +63,15 @@ std::string adaptation_text(const Adaptation& a) {
                                : a.stopped == Stop::e_avg  ? "the requested E_avg is reached"
                                                            : "the trace's next decision is not admissible";
   std::string text = fmt::format(
-      "adapted: {} points inserted, {} flips; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
+      "adapted: {} inserted, {}; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
       "  stopped: {}: {}\n",
-      a.insertions, a.flips, a.e_avg_first / a.mean_volume, a.e_avg_last / a.mean_volume, name_of(a.stopped),
-      why);
+      io::counted(a.insertions, "points"), io::counted(a.flips, "flips"), a.e_avg_first / a.mean_volume,
+      a.e_avg_last / a.mean_volume, name_of(a.stopped), why);
   text += fmt::format("  smallest D/A {:.4g} per length, D/sqrt(A) {:.4g}\n", a.smallest_aspect_ratio,
                       a.smallest_d_over_sqrt_a);
   if (a.refused)
-    text += fmt::format("  {} splits refused: rounding would have flattened a piece (D18)\n", a.refused);
+    text += fmt::format("  {} refused: rounding would have flattened a piece (D18)\n",
+                        io::counted(a.refused, "splits"));
   if (a.left)
     text += fmt::format(
         "  {} new points not moved to the parametric surface, because the boundary would cross itself "
