@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Shows the way from a clone to a verified grid and its picture: installs what is needed, builds, meshes the surface of a skull, judges the grid and writes
-# everything into out/. Works on a fresh Debian 12.
+# everything into out/. Works on a fresh Debian 12 or 13.
 # usage: corpus/demo.sh [OPTIONS OF tetproof-mesh]     for example: corpus/demo.sh --cells 96
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -82,6 +82,7 @@ struct FirstGrid {
   double mean_volume = 0, v0 = 0, v1 = 0, d1 = 0;
   std::optional<double> kappa_min, kappa_max;  ///< with curvature only
   double e_avg = 0;
+  std::optional<double> e_avg_goal;  ///< the average at which the insertion ends, if one was asked for
 };
 
 /// Step (v): one tetrahedron of the first grid.

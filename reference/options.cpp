@@ -50,9 +50,9 @@ void check(const Options& options) {
     throw InputError(
         fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}",
                     options.on_surface));
+  if (options.raise_cells && options.cells[1] != 0)
+    throw InputError("the cells can only be raised if one number is given");
   if (options.adapt) check(*options.adapt);
-  if (!options.follow.empty() && !options.adapt)
-    throw InputError("a trace can only be followed with an adaptation, steps (v) and (vi)");
   if (!options.follow.empty() && options.engine == Engine::paper)
     throw InputError("a trace can only be followed with the fast engine");
 }

@@ -74,6 +74,10 @@ struct Options {
   /// Numbers of cells along x, y and z; or one number, for the longest side, followed by two zeros (reading
   /// D1).
   std::array<int, 3> cells{24, 0, 0};
+  /// If the grid is empty because the surface is thinner than the lattice, double the one number of cells
+  /// until it is not, up to `most_cells`.
+  bool raise_cells = false;
+  static constexpr int most_cells = 8 * 24;
   /// The factor, more than 1, by which the surface's box is scaled about its centre (reading D1).
   double box_scale = 1.2;
   /// In units of the shortest cell edge, 0 to 0.15: a lattice vertex closer to the surface than this is moved

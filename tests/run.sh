@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs all tests, on a fresh Debian 12 too: set-up, ctest, a summary. Exits with ctest's code.
+# Runs all tests, on a fresh Debian 12 or 13 too: set-up, ctest, a summary. Exits with ctest's code.
 # usage: tests/run.sh [CTEST OPTION...]     for example: tests/run.sh -R verify
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

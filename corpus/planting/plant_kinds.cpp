@@ -11,10 +11,9 @@ namespace tetproof::corpus {
 namespace {
 
 std::vector<PlantKind> two_at_once() {
-  constexpr auto defective = Expected::defective;
   const auto both = [](const char* id, const char* first, const char* second, const char* comment) {
     return PlantKind{.id = id,
-                     .expected = defective,
+                     .expected = Expected::defective,
                      .flags = {"two"},
                      .comment = comment,
                      .first = first,

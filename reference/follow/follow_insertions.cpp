@@ -81,6 +81,7 @@ void replay_insertion(Replay& replay, const trace::Insertion& theirs) {
   const WeightedGrid& grid = replay.weighted();
   const std::int64_t n = replay.insertion->so_far().insertions + 1;
   const std::string name = fmt::format("insertion {}: ", n);
+  if (theirs.n != n) throw Divergence{fmt::format("{}the trace calls it {}", name, theirs.n)};
   const Choice ours = replay.insertion->choose();
   const std::string describe_ours =
       ours.best ? fmt::format("the method splits the tetrahedron at {} by row {}, E'avg {:.12g}",

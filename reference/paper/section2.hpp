@@ -57,7 +57,8 @@ class Section2 {
     const Point centre = 0.5 * (low + high), sides = high - low, half = 0.5 * sides * options_.box_scale;
     cells_ = options_.cells;
     for (int x = 0; x < 3 && options_.cells[1] == 0; ++x)  // one number, for the longest side
-      cells_[x] = std::max(1, static_cast<int>(std::lround(options_.cells[0] * sides[x] / sides.maxCoeff())));
+      cells_[x] = std::max(std::min(4, options_.cells[0]),
+                           static_cast<int>(std::lround(options_.cells[0] * sides[x] / sides.maxCoeff())));
     for (int x = 0; x < 3; ++x) {
       const double first = centre[x] - half[x], last = centre[x] + half[x];
       for (int i = 0; i <= cells_[x]; ++i)

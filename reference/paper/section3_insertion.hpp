@@ -106,12 +106,11 @@ class Insertion : public Parametric {
 
   void insert_points() {
     const AdaptOptions& adapt = *options_.adapt;
-    const double goal = adapt.e_avg.value * (adapt.e_avg.absolute ? 1 : mean_volume_);
     double lowest = e_avg();
     std::int64_t lowest_at = 0;
     while (true) {
       if (insertions_ == adapt.points) return end("points");  // readings D17 and D23
-      if (goal > 0 && e_avg() <= goal) return end("e-avg");
+      if (e_avg_goal_ > 0 && e_avg() <= e_avg_goal_) return end("e-avg");
       if (insertions_ - lowest_at >= std::max<std::int64_t>(1000, size() / 10)) return end("stalled");
       const auto chosen = choose();
       if (!chosen) return end("no-gain");

@@ -185,6 +185,7 @@ class Weights : public Section2 {
             .v1 = adapt.v1.value * (adapt.v1.absolute ? 1 : mean_volume_),
             .d1 = adapt.d1 != 0 ? adapt.d1 : farthest,
             .p = adapt.p};
+    e_avg_goal_ = adapt.e_avg.value * (adapt.e_avg.absolute ? 1 : mean_volume_);
     if (law_.d1 == 0) throw InputError("every tetrahedron of the first grid is at distance 0: give d1");
     for (std::size_t v = 0; v < surface_.vertices.size() && adapt.curvature; ++v)
       kappas_.push_back(absolute_curvature(static_cast<int>(v)));
@@ -197,6 +198,7 @@ class Weights : public Section2 {
     trace::FirstGrid first{
         std::ssize(points_), size(), mean_volume_, law_.v0, law_.v1, law_.d1, {}, {}, e_avg()};
     if (adapt.curvature) first.kappa_min = kappa_min_, first.kappa_max = kappa_max_;
+    if (e_avg_goal_ > 0) first.e_avg_goal = e_avg_goal_;
     record(first);
     for (const auto& [number, tet] : tets_) record(tet.weight);
   }
@@ -210,7 +212,7 @@ class Weights : public Section2 {
   std::map<std::int64_t, Tetrahedron> tets_;  ///< by number; a number is never used again
   std::int64_t next_ = 0;
   std::map<std::vector<int>, int> shares_;  ///< how many tetrahedra have an edge, a face, by ascending points
-  double mean_volume_ = 0, e_avg_first_ = 0, kappa_min_ = 0, kappa_max_ = 0;
+  double mean_volume_ = 0, e_avg_goal_ = 0, e_avg_first_ = 0, kappa_min_ = 0, kappa_max_ = 0;
   VolumeLaw law_{.v0 = 1, .v1 = 1, .d1 = 1};  ///< before step (v): of no consequence
   std::vector<double> kappas_;                ///< of the surface's vertices; empty without curvature
 };

@@ -11,12 +11,14 @@
 
 #include "corpus/surfaces.hpp"
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/files_in_use.hpp"
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
 #include "io/program/report_losses.hpp"
+#include "io/surface/used_vertices.hpp"
 #include "reference/program/mesh_options.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
@@ -127,6 +129,16 @@ TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, cons
   return fewer;
 }
 
+// The surface without vertices that no triangle names, and says how many there are.
+TriangleSurface used_part(TriangleSurface surface, const Arguments& a, const program::Common& common) {
+  std::optional<TriangleSurface> used = io::without_unused_vertices(surface);
+  if (!used) return surface;
+  const auto left_out = surface.vertices.size() - used->vertices.size();
+  program::say(common, fmt::format("{}: without {} that no triangle names", a.surface,
+                                   io::counted(left_out, "vertices")));
+  return std::move(*used);
+}
+
 std::string figure_of(const TetMesh& mesh, const TriangleSurface& surface, const reference::Plane& plane,
                       const Arguments& a) {
   const std::string name = a.surface.substr(a.surface.find_last_of('/') + 1);
@@ -187,7 +199,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   enter("reading");
   SurfaceFile file = corpus::open_surface_file(a.surface, a.read);
   program::report_reading(common, file.warnings, file.dropped);
-  TriangleSurface surface = std::move(file.surface);
+  TriangleSurface surface = used_part(std::move(file.surface), a, common);
   const std::size_t triangles_read = surface.triangles.size();
   enter("judging the surface");
   std::optional<verify::JudgedSurface> judged_surface(judge(surface, a.surface, common));
@@ -202,9 +214,18 @@ int mesh(const Arguments& a, const program::Common& common) {
   TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
   const reference::Generation made = generate(surface, options);
-  if (made.mesh().tets.empty())
+  const bool empty = made.mesh().tets.empty();
+  const int cells = *std::max_element(made.lattice.cells.begin(), made.lattice.cells.end());
+  if (empty)
+    program::say(
+        common,
+        fmt::format("the grid is empty: the surface is thinner than the lattice of {} cells everywhere; "
+                    "use more --cells",
+                    cells));
+  else if (options.raise_cells && cells > reference::Options().cells[0])
     program::say(common,
-                 "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
+                 fmt::format("the grid with {} cells is empty, because the surface is thin: {} are taken",
+                             reference::Options().cells[0], cells));
 
   enter("verification");
   verify::Unjudged unjudged;
@@ -241,8 +262,9 @@ int mesh(const Arguments& a, const program::Common& common) {
     }
   if (!common.json.empty()) program::write_json(common.json, json);
   const bool admissible = !made.follow || made.follow->admissible;
-  if (verify::defective(report) || !admissible) return program::wrong;
-  return verify::sound(report) ? program::sound : program::incomplete;
+  if (verify::defective(report) || !admissible || empty) return program::wrong;
+  const bool all_checked = !made.follow || made.follow->not_checked.empty();
+  return verify::sound(report) && all_checked ? program::sound : program::incomplete;
 }
 
 }  // namespace

@@ -153,8 +153,14 @@ void declare_options(CLI::App& app, Arguments& a) {
   app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
       ->transform(CLI::CheckedTransformer(regions))
       ->option_text("inside|outside [inside]");
-  app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")
-      ->type_name("N|NX,NY,NZ");
+  app.add_option(
+         "--cells", a.cells,
+         fmt::format(
+             "lattice cells along the longest side, or along each; if not given, 24, or twice as many "
+             "up to {} until the grid of a thin surface is not empty",
+             Options::most_cells))
+      ->type_name("N|NX,NY,NZ")
+      ->always_capture_default(false);
   app.add_option("--box-scale", a.options.box_scale,
                  "the size of the lattice's box over that of the surface's box, more than 1")
       ->type_name("S");
@@ -187,7 +193,8 @@ void declare_options(CLI::App& app, Arguments& a) {
 
 Options generate_options(const Arguments& a) {
   Options options = a.options;
-  options.cells = parse_cells(a.cells);
+  options.raise_cells = a.cells.empty();
+  if (!a.cells.empty()) options.cells = parse_cells(a.cells);
   AdaptOptions adapt = a.adapt;
   adapt.points = parse_points(a.points);
   adapt.v0 = parse_volume("--v0", a.v0);

@@ -36,11 +36,12 @@ def signed(tag):
 class Gmsh:
     """Gmsh's C interface. Results are pairs of pointer and length; the last argument is an error code."""
 
-    def __init__(self, name):
+    def __init__(self, name):  # "libgmsh.so.4.8" of Debian 12, "libgmsh.so.4.13" of Debian 13
         self.lib = c.CDLL(name)
+        self.runs = int(name.rsplit(".", 1)[1]) >= 9  # from 4.9 on gmshInitialize also asks whether to run
 
     def start(self):
-        self.call("gmshInitialize", c.c_int(0), None, c.c_int(0))
+        self.call("gmshInitialize", c.c_int(0), None, c.c_int(0), *([c.c_int(0)] if self.runs else []))
         self.call("gmshOptionSetNumber", b"General.Terminal", c.c_double(0))
         # Partitions of an old file stay with its elements, and do not become entities.
         self.call("gmshOptionSetNumber", b"Mesh.PartitionConvertMsh2", c.c_double(0))

@@ -38,7 +38,7 @@ std::vector<HangingNode> hanging_nodes(const Interface& interface, const FacesAt
 std::optional<CrossedDiagonals> crossed(const Interface& interface, const FacesAtVertices& at,
                                         const Gaps& gaps, Index s, Index t) {
   CrossedDiagonals quad{};
-  std::array<Index, 6> all;
+  std::array<Index, 6> all{};
   std::copy(interface.triangle(s).begin(), interface.triangle(s).end(), all.begin());
   std::copy(interface.triangle(t).begin(), interface.triangle(t).end(), all.begin() + 3);
   std::sort(all.begin(), all.end());

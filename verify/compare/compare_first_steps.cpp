@@ -120,7 +120,8 @@ FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.r
   });
 }
 
-void FirstSteps::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
+void FirstSteps::compare(TraceStream& other, Differences& differences,
+                         std::vector<std::string>& not_compared) {
   Settings settings;
   std::int64_t settings_line = 0;
   // These wait until all records are read, because only then it is known what rounding decides.
@@ -199,8 +200,7 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   const auto exactly = [](const auto&) { return false; };
   const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {
     if (kind.left_out())
-      notes.push_back(
-          fmt::format("{} are not compared: {} has none", of, kind.empty() ? "reference" : "other"));
+      not_compared.push_back(fmt::format("{}: {} has none", of, kind.empty() ? "reference" : "other"));
     kind.rest(differences, called, by_rounding);
   };
   rest(indicators_, "indicators", exactly);
@@ -209,10 +209,6 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   rest(cuts_, "cuts", exactly);
   rest(rows_, "rows of Table 2", exactly);
   rest(mapped_, "mapped points", exactly);
-}
-
-double FirstSteps::magnitude() const {
-  return std::max(lattice_.box[0].lpNorm<Eigen::Infinity>(), lattice_.box[1].lpNorm<Eigen::Infinity>());
 }
 
 Point FirstSteps::position(const LatticeVertex& vertex) const {
@@ -239,7 +235,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
                                     Differences& differences) const {
   for (const Waiting& row : rows) {
     const Indicators &a = row.reference->record, &b = row.other;
-    for (const auto& [step, in_a, in_b, when] :
+    for (const auto& [step, in_a, in_b, moment] :
          {std::tuple{Step::indicators, &a.initial, &b.initial, "initially"},
           std::tuple{Step::table3, &a.after, &b.after, "after Table 3"}}) {
       for (std::size_t i = 0; i < std::max(in_a->size(), in_b->size()); ++i) {
@@ -251,7 +247,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
                                                 (its == '0' && vertices_.near.contains(vertex)));
         differences.add(
             step, row.reference->line, row.line,
-            [&, when = when] {
+            [&, when = moment] {
               const auto says = [](char indicator) {
                 return indicator == ' ' ? std::string("not there") : word(indicator);
               };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare_traces.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "verify/compare/compare_insertions.hpp"
 
@@ -11,15 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Verdict = TraceComparison::Verdict;
 
-// The advice that follows a tie.
-std::string after(const TraceComparison& tie) {
-  return tie.insertion > 0
-             ? "from here on the two can't be compared step by step; tetproof-mesh --follow checks the rest"
-             : "what follows from the tie can't be compared; another --box-scale, --cells or --on-surface "
-               "may "
-               "give a lattice without ties";
-}
-
 Json json(const TraceSide& side) {
   return {{"file", side.file},
           {"line", side.line ? Json(side.line) : Json()},
@@ -27,27 +20,22 @@ Json json(const TraceSide& side) {
           {"record", side.record.empty() ? Json() : Json::parse(side.record)}};
 }
 
-}  // namespace
-
-TraceComparison compare_traces(const std::string& other_path, const std::string& reference_path,
-                               double tolerance) {
-  TraceComparison result;
-  result.reference.file = reference_path;
-  result.other.file = other_path;
-  TraceStream reference(reference_path), other(other_path);
-
+// Compares one with the other, up to the first difference. Then the verdict is `unresolved`, or `diverges` if
+// a trace contradicts itself or if they were asked for different things.
+void compare_with_each_other(TraceStream& other, TraceStream& reference, double tolerance,
+                             TraceComparison& result) {
   // The steps are compared one after the other. After the first step with a difference nothing is compared,
   // because it would only show consequences.
   Differences differences;
   FirstSteps steps(reference, tolerance);
-  steps.compare(other, differences, result.notes);
+  steps.compare(other, differences, result.not_compared);
   differences.tell(result);
-  if (!differences.none()) return result;
+  if (!differences.none()) return;
 
   FirstGrid first(reference, steps);
-  first.compare(other, differences, result.notes);
+  first.compare(other, differences, result.not_compared);
   differences.tell(result);
-  if (!differences.none()) return result;
+  if (!differences.none()) return;
 
   compare_insertions(other, reference, steps, first, result);
   for (TraceStream* stream : {&reference, &other})
@@ -55,28 +43,72 @@ TraceComparison compare_traces(const std::string& other_path, const std::string&
       if (stream->next_is<trace::End>()) stream->take();
       if (stream->next()) stream->fail("nothing after the end");
     }
+}
+
+// Asks the method which of the two is wrong.
+void resolve(TraceComparison& result, const CheckTrace& check) {
+  const CheckedTrace other = check(result.other.file), reference = check(result.reference.file);
+  for (const auto& [checked, side] :
+       {std::pair(&other, &result.other), std::pair(&reference, &result.reference)}) {
+    for (const std::string& what : checked->not_checked)
+      result.not_compared.push_back(fmt::format("{}: {} has none", what, side->file));
+    if (!checked->cannot.empty()) {
+      result.notes.push_back(fmt::format("{} could not be checked: {}", side->file, checked->cannot));
+    } else if (!checked->admissible) {
+      if (result.verdict == Verdict::diverges)
+        result.notes.push_back(
+            fmt::format("{}:{} is not admissible either: {}", side->file, checked->line, checked->what));
+      else
+        result.wrong = {side->file, checked->line, checked->what, ""};
+      result.verdict = Verdict::diverges;
+    }
+  }
+  if (result.verdict == Verdict::diverges || !other.cannot.empty() || !reference.cannot.empty()) return;
+  result.ties = std::max(other.ties, reference.ties);
+  if (result.ties > 0)
+    result.verdict = Verdict::tie;
+  else
+    result.notes.emplace_back(
+        "the method allows every decision of both without a tie: the difference is smaller than "
+        "what it tells apart");
+}
+
+}  // namespace
+
+TraceComparison compare_traces(const std::string& other_path, const std::string& reference_path,
+                               double tolerance, const CheckTrace& check) {
+  TraceComparison result;
+  result.reference.file = reference_path;
+  result.other.file = other_path;
+  TraceStream reference(reference_path), other(other_path);
+  compare_with_each_other(other, reference, tolerance, result);
+  if (result.verdict == Verdict::unresolved && check) resolve(result, check);
   return result;
 }
 
 std::string comparison_text(const TraceComparison& result) {
+  const std::string so_far = counted(result.insertions, "insertion", "insertions") + " and " +
+                             counted(result.flips, "flip", "flips");
   std::string text;
-  const std::string so_far =
-      counted(result.insertions, "insertion", "insertions") + " and " +
-      counted(result.flips, "flip", "flips") +
-      (result.reordered ? fmt::format(", {} of them in another order within ties", result.reordered) : "");
   if (result.verdict == Verdict::equal) {
     text = fmt::format("equal: every decision, {}\n", so_far);
   } else {
-    text = fmt::format("{}, {}:\n{}\n", result.verdict == Verdict::tie ? "a tie" : "they diverge",
-                       result.place, result.what);
+    const std::string verdict =
+        result.verdict == Verdict::tie        ? fmt::format("equal but for {}: each is admissible to its end",
+                                                            counted(result.ties, "proven tie", "proven ties"))
+        : result.verdict == Verdict::diverges ? "they diverge"
+                                              : "unresolved: it is not known which of them is wrong";
+    text = fmt::format("{}\nthey part at {}:\n{}\n", verdict, result.place, result.what);
     if (result.count > 1) text += fmt::format("  the first of {} such differences\n", result.count);
     for (const auto& [name, side] :
          {std::pair{"reference", &result.reference}, std::pair{"other", &result.other}})
       text += fmt::format("  {} ({}{}): {}\n", name, side->file,
                           side->line ? fmt::format(":{}", side->line) : "", side->says);
+    if (!result.wrong.file.empty())
+      text += fmt::format("  wrong is {}:{}: {}\n", result.wrong.file, result.wrong.line, result.wrong.says);
     if (result.insertion > 0) text += fmt::format("  found the same: {}\n", so_far);
-    if (result.verdict == Verdict::tie) text += fmt::format("  {}\n", after(result));
   }
+  for (const std::string& what : result.not_compared) text += "  not compared: " + what + "\n";
   for (const std::string& note : result.notes) text += "  note: " + note + "\n";
   return text;
 }
@@ -84,12 +116,11 @@ std::string comparison_text(const TraceComparison& result) {
 std::string comparison_json(const TraceComparison& result) {
   const bool equal = result.verdict == Verdict::equal;
   const auto unless_equal = [&](const auto& value) { return equal ? Json() : Json(value); };
-  std::vector<std::string> notes = result.notes;
-  if (result.verdict == Verdict::tie) notes.push_back(after(result));
   const Json all{{"compared", "traces"},
-                 {"verdict", equal                            ? "equal"
-                             : result.verdict == Verdict::tie ? "tie"
-                                                              : "diverges"},
+                 {"verdict", equal                                   ? "equal"
+                             : result.verdict == Verdict::tie        ? "tie"
+                             : result.verdict == Verdict::unresolved ? "unresolved"
+                                                                     : "diverges"},
                  {"step", unless_equal(result.step)},
                  {"place", unless_equal(result.place)},
                  {"insertion", result.insertion ? Json(result.insertion) : Json()},
@@ -97,10 +128,12 @@ std::string comparison_json(const TraceComparison& result) {
                  {"count", result.count},
                  {"reference", json(result.reference)},
                  {"other", json(result.other)},
+                 {"wrong", result.wrong.file.empty() ? Json() : json(result.wrong)},
+                 {"ties", result.ties},
                  {"insertions", result.insertions},
                  {"flips", result.flips},
-                 {"reordered", result.reordered},
-                 {"notes", notes}};
+                 {"not_compared", result.not_compared},
+                 {"notes", result.notes}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -27,8 +27,7 @@ bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 // directions are close to the classical ones only keeps the set small.
 class TriangleVoxels {
  public:
-  TriangleVoxels(const TriangleSurface& surface, std::size_t t, const VoxelLattice& lattice)
-      : lattice_(lattice) {
+  TriangleVoxels(const TriangleSurface& surface, std::size_t t, const VoxelLattice& lattice) {
     std::array<Eigen::Vector3d, 3> v;
     for (int c = 0; c < 3; ++c) v[c] = surface.vertices[surface.triangles[t][c]];
     std::sort(v.begin(), v.end(), before);  // the order of the corners must not matter
@@ -105,7 +104,6 @@ class TriangleVoxels {
               half, bits);
   }
 
-  const VoxelLattice& lattice_;
   std::array<int, 3> base_, first_, last_;
   std::array<Eigen::Vector3d, 3> u_;
   std::array<Direction, 10> directions_;

@@ -81,7 +81,7 @@ Insertion::Insertion(const Grid& first_grid, const TriangleSurface& surface, con
              .kappa_max = weighting_.kappa_max(),
              .kappa_outlier_ratio = outlier_ratio(weighting_.kappas()),
              .e_avg_first = grid_->e_avg()};
-  if (listener_.record) record_first_grid(*grid_, weighting_, mean_volume, listener_.record);
+  if (listener_.record) record_first_grid(*grid_, weighting_, mean_volume, e_avg_goal_, listener_.record);
   if (listener_.after_step) listener_.after_step(*grid_);
   if (listener_.phase) listener_.phase("insertion");
 }

@@ -20,7 +20,7 @@ constexpr int first_row_of(std::string_view name) {
   while (table2[r].name != name) ++r;
   return r;
 }
-constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5"), case_14 = first_row_of("14");
+constexpr int case_1 = first_row_of("1"), case_5 = first_row_of("5");
 
 constexpr std::uint8_t used = 1, surface_point = 2;
 constexpr double tie = 1e-12;  // relative: two diagonals whose lengths differ by less are equal (reading D9)

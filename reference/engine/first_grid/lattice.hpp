@@ -62,9 +62,9 @@ inline constexpr std::array<int, 6> kuhn_signs{1, -1, -1, 1, 1, -1};
 
 /// The lattice in the surface's box, scaled about its centre by `box_scale` > 1 (reading D1). `cells` gives
 /// three numbers of cells; or one number, for the longest side, and two zeros, and then the other two are
-/// chosen so that the cells come closest to cubes. Throws InputError if a number is out of range, the longest
-/// side of the box is not between 1e-90 and 1e90, the lattice has more than 4e8 vertices, or two planes
-/// coincide in double precision.
+/// chosen so that the cells come closest to cubes, at least 4 (or as many as along the longest side). Throws
+/// InputError if a number is out of range, the longest side of the box is not between 1e-90 and 1e90, the
+/// lattice has more than 4e8 vertices, or two planes coincide in double precision.
 Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, double box_scale);
 
 }  // namespace tetproof::reference

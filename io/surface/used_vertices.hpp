@@ -6,11 +6,11 @@
 
 #include "io/triangle_surface.hpp"
 
-namespace tetproof::reference {
+namespace tetproof::io {
 
 /// The surface without the vertices that no triangle names, in the same order; nothing if there are none.
-/// Such a vertex is no point of the surface: it must not change the box, the distance of eq. (3.2), or the
-/// smallest curvature (reading D14). Triangles must name vertices that exist.
+/// Such a vertex is no point of the surface: it must not change the box, or the distance to the
+/// surface's vertices. Triangles must name vertices that exist.
 std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& surface);
 
-}  // namespace tetproof::reference
+}  // namespace tetproof::io

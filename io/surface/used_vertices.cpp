@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/used_vertices.hpp"
+#include "io/surface/used_vertices.hpp"
 
 #include <algorithm>
 
-namespace tetproof::reference {
+namespace tetproof::io {
 
 std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& surface) {
   std::vector<Index> number(surface.vertices.size(), -1);
@@ -22,4 +22,4 @@ std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& su
   return used;
 }
 
-}  // namespace tetproof::reference
+}  // namespace tetproof::io

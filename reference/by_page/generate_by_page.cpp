@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/generate_by_page.hpp"
+#include "reference/by_page/generate_by_page.hpp"
 
 #include <algorithm>
 

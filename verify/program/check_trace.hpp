@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks a trace by the reference's own method, for tetproof-compare. Not installed.
+#pragma once
+
+#include <string>
+
+#include "verify/compare_traces.hpp"
+
+namespace tetproof::verify {
+
+/// Replays the trace at `path` on the surface from which it was made, with the trace's own settings, and
+/// checks every decision. `surface`: a file or a generated surface; empty: the one that the trace names,
+/// which is looked for where the program runs and then beside the trace.
+CheckedTrace check_trace(const std::string& path, const std::string& surface);
+
+}  // namespace tetproof::verify
