@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/mistakes/mistaken.hpp"
 
+#include "io/surface/used_vertices.hpp"
 #include "reference/paper/page.hpp"
-#include "reference/used_vertices.hpp"
 
 namespace tetproof::mistakes {
 namespace {
@@ -147,7 +147,7 @@ const std::vector<NamedMistake>& mistakes() {
 
 std::vector<trace::Record> run(const TriangleSurface& given, reference::Options options, Mistake mistake) {
   reference::check(options);
-  const std::optional<TriangleSurface> used = reference::without_unused_vertices(given);
+  const std::optional<TriangleSurface> used = io::without_unused_vertices(given);
   const TriangleSurface& surface = used ? *used : given;
   std::vector<trace::Record> records{reference::settings_of(options, static_cast<bool>(surface.evaluate))};
   options.listener.record = [&records](const trace::Record& record) { records.push_back(record); };

@@ -22,12 +22,21 @@ Testimony testify(const TriangleSurface& surface, const reference::Options& opti
   recorded.listener.record = [&](const trace::Record& record) { result.reference.push_back(record); };
   reference::generate(surface, recorded);
 
+  const auto follow = [&](const std::string& path) {
+    reference::Options replay = options;
+    replay.follow = path;
+    return reference::generate(surface, replay).follow.value();
+  };
+  const auto check = [&](const std::string& path) {
+    const reference::Follow checked = follow(path);
+    return verify::CheckedTrace{
+        .admissible = checked.admissible, .line = checked.line, .what = checked.what, .ties = checked.ties};
+  };
   const test::TestFiles files;
   const std::string other = write(files, "mistaken.jsonl", result.mistaken);
-  result.comparison = verify::compare_traces(other, write(files, "reference.jsonl", result.reference));
-  reference::Options replay = options;
-  replay.follow = other;
-  result.follow = reference::generate(surface, replay).follow.value();
+  result.comparison =
+      verify::compare_traces(other, write(files, "reference.jsonl", result.reference), 1e-9, check);
+  result.follow = follow(other);
   return result;
 }
 
