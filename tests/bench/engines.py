@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times the page (tetproof-mesh --engine paper) against the fast engine, as one Markdown table: steps (i) to (vi) alone, without
-reading, judging and writing. Of several runs the fastest counts. Both must write the same grid.
+"""Times the page (tetproof-mesh --engine paper) against the fast engine, as one Markdown table, in CPU seconds of steps (i) to (vi):
+those of the process, times the part of its wall time that is not reading, judging and writing. So the load of the machine matters little.
+Of several runs the fastest counts. Both engines must write the same grid.
 
 usage: tests/bench/engines.py [--cells N,N,...] [--surface SURFACE]... [--runs N] [--build FOLDER]
 Exit code: 0 all grids equal, 1 some not, 2 usage."""
@@ -9,6 +10,7 @@ import argparse
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -16,22 +18,26 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SURFACES = ("corpus/surfaces/spot.obj", "sphere")
 AROUND = ("reading", "judging the surface", "reduction", "verification", "writing")  # the phases that are no step of the method
-LONG = 20  # [s] a run that takes longer is not repeated
+LONG = 20  # [CPU s] a run that takes longer is not repeated
 
 
 def run(program, surface, cells, engine, runs, folder):
-    """(seconds of the method, what the report says of the adaptation, the bytes of the grid)"""
+    """(CPU seconds of the method, what the report says of the adaptation, the bytes of the grid)"""
     grid, report = os.path.join(folder, engine + ".msh"), os.path.join(folder, engine + ".json")
     seconds = []
     while len(seconds) < runs and (not seconds or seconds[-1] < LONG):
         command = [program, surface, "-o", grid, "--engine", engine, "--cells", str(cells), "--quiet", "--voxels", "0", "--timings",
                    "--json", report]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if done.returncode not in (0, 1):
             sys.exit(f"engines.py: {' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
         with open(report) as file:
             made = json.load(file)
-        seconds.append(sum(s for phase, s in made["seconds"].items() if phase not in AROUND))
+        cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        steps = sum(s for phase, s in made["seconds"].items() if phase not in AROUND)
+        seconds.append(cpu * steps / sum(made["seconds"].values()))
     return min(seconds), made, pathlib.Path(grid).read_bytes()
 
 
@@ -43,7 +49,7 @@ def main():
     parser.add_argument("--build", default=ROOT / "build", type=pathlib.Path, help="where the programs are; build")
     arguments = parser.parse_args()
     program = str(arguments.build.resolve() / "tetproof-mesh")
-    print("| surface, cells | first grid's tetrahedra | insertions, flips | fast s | page s | ratio | same grid |")
+    print("| surface, cells | first grid's tetrahedra | insertions, flips | fast, CPU s | page, CPU s | ratio | same grid |")
     print("|---|---|---|---|---|---|---|", flush=True)
     different = 0
     for surface in arguments.surface or SURFACES:
