@@ -33,6 +33,7 @@ void append_numbers(const char* from, std::size_t count, std::endian order, Colu
       const std::size_t start = to.size();
       to.resize(start + count);
       for (std::size_t i = 0; i < count; ++i)
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): a signed char is a number here
         to[start + i] =
             static_cast<std::remove_reference_t<decltype(to[0])>>(load<T>(from + i * sizeof(T), order));
     };
