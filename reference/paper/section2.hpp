@@ -226,9 +226,10 @@ class Section2 {
     for (const tables::Table2Row& row : tables::table2) {
       bool fits = true;
       for (int i = 0; i < 4; ++i) fits = fits && row.indicators[i] == after_[v[i]];
-      for (const auto& [p, q] : wanted)
-        fits = fits && std::any_of(row.tets.begin(), row.tets.begin() + row.size, [p, q](const auto& tet) {
-                 return std::count(tet.begin(), tet.end(), p) && std::count(tet.begin(), tet.end(), q);
+      for (const auto& diagonal : wanted)
+        fits = fits && std::any_of(row.tets.begin(), row.tets.begin() + row.size, [&](const auto& tet) {
+                 return std::count(tet.begin(), tet.end(), diagonal.first) &&
+                        std::count(tet.begin(), tet.end(), diagonal.second);
                });
       if (fits) return row;
     }
