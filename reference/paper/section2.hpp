@@ -179,8 +179,7 @@ class Section2 {
   /// Table 3. All requests come from the initial indicators and are applied at once (reading D6).
   void apply_table3(const std::map<Edge, EdgePoints>& met) {
     std::map<int, std::set<int>> requests;
-    table3_.fill(0);
-    dropped_ = 0;
+    table3_.fill(0), dropped_ = 0;
     for (const auto& [e, points] : met) {
       auto [vi, vj] = e;
       if (initial_[vi] > initial_[vj]) std::swap(vi, vj);
