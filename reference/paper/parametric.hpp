@@ -24,8 +24,8 @@ inline bool faces_meet(const Face& f, const Face& g) {
       std::swap(q[common], q[at - names.begin()]);
       std::swap(names[common++], *at);
     }
-  if (common ==
-      2) {  // only if they are folded flat onto each other: on one side, as a point off the plane sees
+  // With an edge in common, only if they are folded flat: on one side of it, as a point off the plane sees.
+  if (common == 2) {
     int sides = 0;
     for (int x = 0; x < 3 && in_plane(q[2], p) && sides == 0; ++x) {
       Point off = p[0];
@@ -34,8 +34,8 @@ inline bool faces_meet(const Face& f, const Face& g) {
     }
     return sides > 0;
   }
-  for (int i = 0; i < 3;
-       ++i)  // an edge of one meets the other; with a common vertex, the edge opposite to it
+  // An edge of one meets the other; with a vertex in common, the edge opposite to it.
+  for (int i = 0; i < 3; ++i)
     if (common != 1 || i == 1)
       if (common_part(p[i], p[(i + 1) % 3], q) || common_part(q[i], q[(i + 1) % 3], p)) return true;
   return common == 3;

@@ -121,10 +121,9 @@ class Section2 {
   // --- (iii) indicators
 
   bool is_inside(const Point& p) const {  // reading D4
-    return std::count_if(triangles_.begin(), triangles_.end(),
-                         [&](const Triangle& t) { return crosses_before(t, p); }) %
-               2 ==
-           1;
+    bool inside = false;
+    for (const Triangle& t : triangles_) inside = inside != crosses_before(t, p);
+    return inside;
   }
   bool is_on_surface(const Point& p) const {
     return std::any_of(triangles_.begin(), triangles_.end(), [&](const Triangle& t) { return is_on(t, p); });
@@ -136,8 +135,9 @@ class Section2 {
     Point best = triangles_.at(0)[0];
     for (const Triangle& t : triangles_) {
       const Point low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-      const double before = (best - p).squaredNorm();
-      if ((p.cwiseMax(low).cwiseMin(high) - p).squaredNorm() > before * (1 + 1e-9)) continue;  // far away
+      const double before = (best - p).squaredNorm(), box = (p.cwiseMax(low).cwiseMin(high) - p).norm();
+      // Far away. The second term is more than rounding moves a closest point.
+      if (box > std::sqrt(before) * (1 + 1e-9) + 1e-13 * (low.norm() + high.norm() + p.norm())) continue;
       const Point q = closest_point(t, p);
       const double now = (q - p).squaredNorm();
       if (now < before || (now == before && lexicographically_less(q, best))) best = q;
@@ -154,7 +154,7 @@ class Section2 {
       const bool settles = mended_.contains(v) || (closest - p).squaredNorm() < tolerance * tolerance;
       if (settles) settled_[v] = closest;                                       // reading D4
       const bool inside = is_inside(p) == (options_.region == Region::inside);  // reading D5
-      initial_.push_back(settles || closest == p ? 0 : inside ? 1 : -1);
+      initial_.push_back(settles || is_on_surface(p) ? 0 : inside ? 1 : -1);
     }
     std::map<Edge, EdgePoints> met;
     for (const auto& [v, w] : edges_)
@@ -179,8 +179,7 @@ class Section2 {
   /// Table 3. All requests come from the initial indicators and are applied at once (reading D6).
   void apply_table3(const std::map<Edge, EdgePoints>& met) {
     std::map<int, std::set<int>> requests;
-    table3_.fill(0);
-    dropped_ = 0;
+    table3_.fill(0), dropped_ = 0;
     for (const auto& [e, points] : met) {
       auto [vi, vj] = e;
       if (initial_[vi] > initial_[vj]) std::swap(vi, vj);

@@ -110,7 +110,7 @@ class Weights : public Section2 {
   // --- curvature, reading D15
 
   /// kappa_i: of several closest vertices the lexicographically smallest.
-  double curvature_near(const Point& centroid, double d) const {
+  virtual double curvature_near(const Point& centroid, double d) const {
     std::size_t closest = kappas_.size();
     const auto& x = surface_.vertices;
     for (std::size_t k = 0; k < x.size(); ++k)

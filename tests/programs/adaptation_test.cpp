@@ -164,27 +164,16 @@ TEST_P(ShippedTraces, AreAdmissible) {
   EXPECT_EQ(report["follow"]["ties"], 0);
   EXPECT_GT(report["adaptation"]["insertions"], 20);
 }
-// The shipped traces are more than a record of our own results: an implementation that shares no code gives
-// the same.
-TEST_P(ShippedTraces, AreWhatTheSecondImplementationWrites) {
-  Words arguments = GetParam().arguments;
-  const auto parametric = std::find(arguments.begin(), arguments.end(), "--parametric");
-  if (parametric != arguments.end()) arguments.erase(parametric, parametric + 2);
-  const std::string file = traces + GetParam().name + ".jsonl";
-  if (read(file).find("\"parametric\":true") != std::string::npos)
-    GTEST_SKIP() << "the second implementation does not follow parametric surfaces";
+
+// The shipped traces are more than a record of the fast engine's own results: the page writes the same bytes.
+TEST_P(ShippedTraces, AreWhatThePageWrites) {
   const ScratchFolder folder;
-  const Words command =
-      Words{program("tetproof-second")} + arguments + Words{"--trace", folder / "second.jsonl"};
-  const Outcome second = run_program(command, {.timeout_s = 120});
-  ASSERT_EQ(second.exit_code, 0) << second;
-  const Outcome same =
-      run_program({program("tetproof-compare"), folder / "second.jsonl", file, "--json", folder / "c.json"});
-  EXPECT_EQ(same.exit_code, 0) << same;
-  const Outcome followed =
-      mesh(GetParam().arguments + Words{"--voxels", "0", "--follow", folder / "second.jsonl"});
-  EXPECT_EQ(followed.exit_code, 0) << followed;
+  const Outcome run = mesh(GetParam().arguments + Words{"--engine", "paper", "--voxels", "0", "--trace",
+                                                        folder / "page.jsonl", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_TRUE(folder.read("page.jsonl") == read(traces + GetParam().name + ".jsonl"));
 }
+
 INSTANTIATE_TEST_SUITE_P(Corpus, ShippedTraces, testing::ValuesIn(shipped_traces()),
                          [](const auto& each) { return each.param.name; });
 

@@ -10,9 +10,9 @@
 #include "reference/engine/adaptation/curvature.hpp"
 #include "reference/engine/adaptation/table4.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
-#include "reference/equations.hpp"
 #include "reference/engine/first_grid/extract.hpp"
 #include "reference/engine/first_grid/row_choice.hpp"
+#include "reference/equations.hpp"
 
 namespace tetproof::test {
 namespace {
