@@ -13,7 +13,8 @@ namespace tetproof::reference {
 
 /// The command line's arguments.
 struct Arguments {
-  std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
+  std::string surface, grid, trace, save_surface, cells = "24", points = "auto", v0 = "0.2", v1 = "2",
+                                                  e_avg = "0";
   std::string figure, plane = "x";
   ReadOptions read;  ///< of the surface
   FigureColour colour = FigureColour::volume;
