@@ -5,6 +5,7 @@ import math
 from fractions import Fraction
 from itertools import combinations
 
+LEAST_CELLS = 1  # the cells that every side gets at least (reading D1)
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
@@ -240,7 +241,8 @@ def lattice(case):
         if len(given["cells"]) == 3 and cells != given["cells"][x]:
             yield "the numbers of cells were given"
         wanted = given["cells"][0] * sides[x] / max(sides)
-        if len(given["cells"]) == 1 and not (cells - Fraction(1, 2) <= wanted < cells + Fraction(1, 2) or (cells == 1 and wanted < 1)):
+        least = min(LEAST_CELLS, given["cells"][0])
+        if len(given["cells"]) == 1 and not (cells - Fraction(1, 2) <= wanted < cells + Fraction(1, 2) or (cells == least and wanted < least)):
             yield "one number of cells: the cells come closest to cubes"
         for at, p in zip(given["at"], e["points"]):
             if abs((Fraction(p[x]) - low[x]) * cells - (high[x] - low[x]) * at[x]) > slack * cells:
@@ -291,31 +293,37 @@ def indicators(case):
             yield f"{p}: the surface surrounds the points inside, and no others"
 
 
+def points_of_edge(p, q, triangles):
+    """The parameters, within the open edge from p to q, where the edge begins or ends to lie on the surface. All points are exact."""
+    d, found = sub(q, p), set()
+    for t in triangles:  # where the edge enters or leaves this triangle, by the signs of the three areas
+        u, v = sub(t[1], t[0]), sub(t[2], t[0])
+        n = cross(u, v)
+
+        def coordinates(x):
+            w = sub(x, t[0])
+            b, c = dot(cross(w, v), n), dot(cross(u, w), n)
+            return dot(n, n) - b - c, b, c, dot(w, n)
+
+        for a, b in zip(coordinates(p), coordinates(q)):
+            if a != b and 0 <= Fraction(a) / (a - b) <= 1:
+                s = Fraction(a) / (a - b)
+                if on_triangle(t, tuple(x + s * y for x, y in zip(p, d))):
+                    found.add(s)
+    spots = sorted(found | {Fraction(0), Fraction(1)})
+    middle = [any(on_triangle(t, tuple(x + (a + b) / 2 * y for x, y in zip(p, d))) for t in triangles) for a, b in zip(spots, spots[1:])]
+    return [s for k, s in enumerate(spots[1:-1]) if not (middle[k] and middle[k + 1])]
+
+
 def edge_points(case):
-    """Each point is on the edge and on the surface, and beside it the edge is on one side off the surface. Between two points, the edge is
-    on the surface altogether or nowhere."""
+    """Between two points, the edge is on the surface altogether or nowhere."""
     given, e, triangles = case["input"], case["expected"], surface_of(case["input"])
     p, q = map(exact, given["edge"])
     d = sub(q, p)
     at = [Fraction(dot(sub(exact(x), p), d)) / dot(d, d) for x in e["points"]]
     if e["count"] != len(at) or at != sorted(set(at)) or any(not 0 < s < 1 for s in at):
         yield "distinct points of the open edge, in its order"
-    found = set()
-    for t in triangles:  # where the edge enters or leaves this triangle, by the signs of the three areas
-        u, v = sub(t[1], t[0]), sub(t[2], t[0])
-        n = cross(u, v)
-        coordinates = lambda x: (lambda w: [1 - Fraction(dot(cross(w, v), n) + dot(cross(u, w), n)) / dot(n, n), Fraction(dot(cross(w, v), n)) / dot(n, n),
-                                            Fraction(dot(cross(u, w), n)) / dot(n, n), Fraction(dot(w, n))])(sub(x, t[0]))
-        first, last = coordinates(p), coordinates(q)
-        for a, b in zip(first, last):
-            if a != b and 0 <= a / (a - b) <= 1:
-                s = a / (a - b)
-                if on_triangle(t, tuple(x + s * y for x, y in zip(p, d))):
-                    found.add(s)
-    spots = sorted(found | {Fraction(0), Fraction(1)})
-    on = lambda s: any(on_triangle(t, tuple(x + s * y for x, y in zip(p, d))) for t in triangles)
-    middle = [on((a + b) / 2) for a, b in zip(spots, spots[1:])]
-    right = [s for k, s in enumerate(spots[1:-1]) if not (middle[k] and middle[k + 1])]
+    right = points_of_edge(p, q, triangles)
     if len(right) != len(at) or any(abs(a - b) > Fraction(1, 10**12) for a, b in zip(at, right)):
         yield "the points are the ends of what the edge has in common with the surface"
 

@@ -43,6 +43,8 @@ TriangleSurface surface_of(const Json& input) {
 
 // --- eq. (2.1)
 
+constexpr int least_cells = 1;  // that every side gets at least (reading D1): for mistakes made on purpose
+
 Json lattice(const Json& input, const std::string& mistake) {
   TriangleSurface surface = surface_of(input);
   if (mistake == "stray-counts") {
@@ -59,8 +61,8 @@ Json lattice(const Json& input, const std::string& mistake) {
     const double wanted = cells[0], longest = (high - low).maxCoeff();
     for (int x = 0; x < 3; ++x) {
       const double number = wanted * (high - low)[x] / longest;
-      cells[x] =
-          std::max(1, static_cast<int>(mistake == "half-even" ? std::nearbyint(number) : std::floor(number)));
+      const double cut = mistake == "half-even" ? std::nearbyint(number) : std::floor(number);
+      cells[x] = std::max(std::min(least_cells, static_cast<int>(wanted)), static_cast<int>(cut));
     }
   }
   Lattice made = make_lattice(surface, cells, scale);

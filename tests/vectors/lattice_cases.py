@@ -7,12 +7,14 @@ from math import floor
 
 from exact import Draws
 
+LEAST = 1  # the cells that every side gets at least, or N if N is smaller (reading D1); checks.py and geometry_answers.cpp have it, too
+
 FLAGS = {
     "three-numbers": "The numbers of cells are given, one for each side.",
     "one-number": "One number, for the longest side: the other sides get theirs from the sides of the surface's own box (reading D1).",
     "rounded": "The number of cells of a side is rounded, not cut off.",
     "half": "Exactly between two numbers of cells: the larger one (reading D1), not the even one.",
-    "at-least-one": "A side so short that rounding gives 0 cells gets one.",
+    "at-least": "A side so short that rounding gives fewer cells than the least number (reading D1).",
     "centre": "The box is scaled about its centre, not about the origin.",
     "unused-vertex": "A vertex that no triangle names is no point of the surface and does not widen the box.",
 }
@@ -32,7 +34,7 @@ def eq_2_1(low, high, cells, at):
 
 
 def numbers_of_cells(cells, sides, cut=lambda x: floor(x + F(1, 2))):
-    return list(cells) if len(cells) == 3 else [max(1, cut(cells[0] * s / max(sides))) for s in sides]
+    return list(cells) if len(cells) == 3 else [max(min(LEAST, cells[0]), cut(cells[0] * s / max(sides))) for s in sides]
 
 
 def half_even(x):
@@ -54,7 +56,7 @@ def lattice_case(name, flags, comment, low, high, cells, scale, stray=None):
     at = sorted({tuple(n * k // 2 for n, k in zip(numbers, ks)) for ks in ((0, 0, 0), (2, 2, 2), (1, 1, 1), (2, 0, 1), (1, 2, 0), (0, 1, 2))})
     flags = flags + ["three-numbers" if len(cells) == 3 else "one-number"] + ["unused-vertex"] * bool(stray)
     flags += ["rounded"] * (numbers != numbers_of_cells(cells, sides, floor)) + ["half"] * (numbers != numbers_of_cells(cells, sides, half_even))
-    flags += ["at-least-one"] * (len(cells) == 1 and any(cells[0] * s * 2 < max(sides) for s in sides)) + ["centre"] * any(centre)
+    flags += ["at-least"] * (len(cells) == 1 and any(floor(cells[0] * s / max(sides) + F(1, 2)) < min(LEAST, cells[0]) for s in sides)) + ["centre"] * any(centre)
     size = max(max(map(abs, box[0])), max(map(abs, box[1])))
     return {"id": "lattice-" + name, "flags": flags, "comment": comment,
             "input": {"vertices": vertices, "triangles": triangles, "cells": list(cells), "box_scale": scale, "at": at},
@@ -72,11 +74,11 @@ def lattice():
     for n in (1, 2, 5, 12, 24):
         yield lattice_case(f"brick-{n}", [], "sides 8, 5, 3", (1, 2, 3), (9, 7, 6), [n], scale)
         yield lattice_case(f"plate-{n}", [], "sides 4, 16, 1/8: a thin plate", (-2, 1, 0), (2, 17, F(1, 8)), [n], F(3, 2))
-    for n, sides in ((4, (16, 10, 6)), (6, (16, 4, 12)), (10, (4, 16, 6)), (2, (4, 3, 1)), (12, (8, 1, 3))):
+    for n, sides in ((4, (16, 10, 6)), (6, (16, 4, 12)), (10, (4, 16, 6)), (2, (4, 3, 1)), (12, (8, 1, 3)), (12, (8, 3, 5)), (20, (16, 8, 10)), (9, (8, 4, 16)), (13, (10, 5, 8))):
         high = [F(s) for s in sides]
         yield lattice_case(f"half-{n}-{'-'.join(map(str, sides))}", [], "numbers of cells halfway between two", (0, 0, 0), high, [n], scale)
     for n in (1, 3, 8):
-        yield lattice_case(f"rod-{n}", [], "a rod: rounding gives no cell across", (0, 0, 0), (64, 1, 2), [n], F(9, 8))
+        yield lattice_case(f"rod-{n}", [], "a rod: rounding gives too few cells across", (0, 0, 0), (64, 1, 2), [n], F(9, 8))
     for n, stray in ((4, (100, 0, 0)), (4, (F(1, 2), F(1, 2), -7))):
         yield lattice_case(f"stray-{stray[0]}", [], "a vertex far away that no triangle names", zero, one, [n], scale, stray)
     yield lattice_case("stray-numbers", [], "a vertex that would make another side the longest", zero, (4, 2, 1), [8], scale, (0, 30, 0))
