@@ -13,8 +13,7 @@ namespace tetproof::reference {
 
 /// The command line's arguments.
 struct Arguments {
-  std::string surface, grid, trace, save_surface, cells = "24", points = "auto", v0 = "0.2", v1 = "2",
-                                                  e_avg = "0";
+  std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
   std::string figure, plane = "x";
   ReadOptions read;  ///< of the surface
   FigureColour colour = FigureColour::volume;
@@ -23,6 +22,7 @@ struct Arguments {
   int voxels = 128;
   int reduce = 0;  ///< triangles; 0: the surface as it is
   bool list_surfaces = false, timings = false, ascii = false, binary = false;
+  std::string save_surface;  ///< a path; empty: the surface is not written
 };
 
 /// Adds all options to `app`, which fills `a`.
