@@ -11,7 +11,6 @@
 #include "reference/engine/adaptation/improve.hpp"
 #include "reference/engine/first_grid/lattice.hpp"
 #include "reference/paper/page.hpp"
-#include "reference/used_vertices.hpp"
 
 namespace tetproof::test {
 namespace {
@@ -47,17 +46,18 @@ constexpr int least_cells = 1;  // that every side gets at least (reading D1): f
 
 Json lattice(const Json& input, const std::string& mistake) {
   TriangleSurface surface = surface_of(input);
-  if (mistake == "stray-counts") {
+  if (mistake == "stray-counts") {  // `make_lattice` asks the triangles only
     const auto vertices = static_cast<Index>(surface.vertices.size());
     for (Index v = 0; v < vertices; ++v) surface.triangles.push_back({v, v, v});
   }
-  if (auto used = without_unused_vertices(surface)) surface = std::move(*used);
   std::array<int, 3> cells{};
   for (std::size_t k = 0; k < input["cells"].size(); ++k) cells[k] = input["cells"][k];
   const double scale = input["box_scale"];
   if (cells[1] == 0 && (mistake == "cells-cut-off" || mistake == "half-even")) {
-    Point low = surface.vertices[0], high = low;
-    for (const Point& p : surface.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    Point low = surface.vertices[surface.triangles[0][0]], high = low;
+    for (const auto& triangle : surface.triangles)
+      for (const Index v : triangle)
+        low = low.cwiseMin(surface.vertices[v]), high = high.cwiseMax(surface.vertices[v]);
     const double wanted = cells[0], longest = (high - low).maxCoeff();
     for (int x = 0; x < 3; ++x) {
       const double number = wanted * (high - low)[x] / longest;

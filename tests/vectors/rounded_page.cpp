@@ -14,7 +14,6 @@
 #include "io/error.hpp"
 #include "reference/paper/page.hpp"
 #include "reference/program/mesh_options.hpp"
-#include "reference/used_vertices.hpp"
 
 namespace {
 
@@ -60,7 +59,6 @@ int main(int argc, char** argv) {
     app.parse(argc - 1, argv + 1);
     Options options = generate_options(a);
     TriangleSurface surface = corpus::make_surface(a.surface);
-    if (auto used = without_unused_vertices(surface)) surface = std::move(*used);
     for (Eigen::Vector3d& v : surface.vertices)
       for (int x = 0; x < 3 && surface_too; ++x) v[x] *= 1 + errors.next();
     if (surface.evaluate)
