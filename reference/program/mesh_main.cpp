@@ -161,6 +161,7 @@ program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, cons
     program::check_holds_tetrahedra(a.grid);
   }
   files.writes_mesh("-o", a.grid, write);
+  files.writes_mesh("--save-surface", a.save_surface, {});
   files.writes("--trace", a.trace);
   files.writes("--figure", a.figure);
   return files;
@@ -175,13 +176,22 @@ void write_grid(const TetMesh& grid, const Arguments& a, const WriteOptions& wri
   json["kept_aside"] = program::losses_json(output.kept_aside().items);
 }
 
+// Writes the surface as it is used, with its (u,v) if it has them and the format holds them.
+void save_surface(const TriangleSurface& surface, const Arguments& a, program::FilesInUse& files,
+                  const program::Common& common) {
+  if (a.save_surface.empty()) return;
+  const Document document = document_of(surface);
+  program::MeshOutput(common, files, "--save-surface", a.save_surface, document).write();
+}
+
 int mesh(const Arguments& a, const program::Common& common) {
   if (a.list_surfaces) {
     fmt::print("{}", corpus::list_surfaces());
     return program::sound;
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
-  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty())
+  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty() &&
+      a.save_surface.empty())
     throw InputError("expected -o GRID (see tetproof-mesh --help)");
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
@@ -208,6 +218,7 @@ int mesh(const Arguments& a, const program::Common& common) {
     surface = reduced(surface, a, common);
     judged_surface.emplace(judge(surface, a.surface + ", reduced", common));
   }
+  save_surface(surface, a, files, common);
   const verify::SurfaceReport& judged = judged_surface->report();
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 

@@ -146,6 +146,12 @@ void declare_options(CLI::App& app, Arguments& a) {
       ->type_name("N")
       ->option_text("N");
   app.add_option(
+         "--save-surface", a.save_surface,
+         "write the surface as used: generated, reduced or read; .obj holds its (u,v), too. Endings: " +
+             fmt::format("{}", fmt::join(known_endings(), " ")))
+      ->type_name("FILE")
+      ->always_capture_default(false);
+  app.add_option(
          "--engine", a.options.engine,
          "fast; or paper: the method as the paper's text has it, by brute force, with the same decisions")
       ->transform(CLI::CheckedTransformer(engines))
