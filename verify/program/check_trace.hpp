@@ -10,7 +10,8 @@ namespace tetproof::verify {
 
 /// Replays the trace at `path` on the surface from which it was made, with the trace's own settings, and
 /// checks every decision. `surface`: a file or a generated surface; empty: the one that the trace names,
-/// which is looked for where the program runs and then beside the trace.
+/// which is looked for where the program runs and then beside the trace. Throws InputError for a file that is
+/// no trace, or that breaks off.
 CheckedTrace check_trace(const std::string& path, const std::string& surface);
 
 }  // namespace tetproof::verify
