@@ -157,7 +157,7 @@ class FirstStepsCheck {
   std::array<bool, names.size()> seen_{};
 };
 
-// Compares the settings, except the number of points, which the end of the trace shows.
+// Compares the settings that count in this run.
 void compare(const trace::Settings& theirs, const trace::Settings& ours) {
   const auto same = [](const auto& trace, const auto& here, std::string_view name) {
     if (trace != here)
@@ -172,6 +172,7 @@ void compare(const trace::Settings& theirs, const trace::Settings& ours) {
   same(theirs.diagonals, ours.diagonals, "diagonals");
   same(theirs.literal, ours.literal, "literal");
   same(theirs.parametric, ours.parametric, "parametric");
+  same(theirs.points, ours.points, "points");
   if (ours.points == "0") return;  // there are no steps (v) and (vi)
   same_number(theirs.p, ours.p, "p");
   same(theirs.curvature, ours.curvature, "curvature");
