@@ -56,6 +56,8 @@ class FirstStepsCheck {
   bool take(const trace::Record& theirs) {
     const auto key = key_of(theirs);
     if (!key) return false;
+    if ((*key)[0] != lattice && !seen_[lattice])
+      throw Divergence{fmt::format("step (i): a '{}' record before the lattice", trace::name_of(theirs))};
     seen_[(*key)[0]] = true;
     const auto own = ours_.find(*key);
     if (own == ours_.end()) throw Divergence{about(*key) + ": this run has no such record"};

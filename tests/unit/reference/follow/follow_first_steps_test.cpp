@@ -73,18 +73,26 @@ TEST_F(FollowFirstSteps, ARecordMissingOrTwice) {
   const auto change = [&]<class R>(std::size_t n, const TracedRun& run) {
     auto records = run.records;
     const std::size_t at = find<R>(records, n);
-    erase(records, at);
+    drop(records, at);
     expect_found(records, find<trace::FirstGrid>(records, 0), ": the trace has no such record", run);
     records = run.records;
     insert(records, at, records[at]);
     expect_found(records, at + 1, ": stands twice", run);
   };
-  change.operator()<trace::Lattice>(0, sphere());
   change.operator()<trace::Indicators>(2, sphere());
   change.operator()<trace::Moved>(2, groove());
   change.operator()<trace::Cut>(2, sphere());
   change.operator()<trace::Rows>(2, sphere());
   change.operator()<trace::Mapped>(2, sphere());
+  // The lattice comes first.
+  auto records = sphere().records;
+  insert(records, 1, records[0]);
+  expect_found(records, 1, "step (i): the lattice: stands twice");
+  records = sphere().records;
+  std::swap(records[0], records[1]);
+  expect_found(records, 0, "step (i): a 'indicators' record before the lattice");
+  drop(records, 1);
+  expect_found(records, 0, "step (i): a 'indicators' record before the lattice");
 }
 
 TEST_F(FollowFirstSteps, AKindOfRecordsLeftOutIsNotChecked) {
@@ -157,7 +165,7 @@ TEST_F(FollowFirstSteps, WeightsOfStepV) {
   insert(records, at, records[at]);
   expect_found(records, at + 1, "is listed twice");
   records = sphere().records;
-  erase(records, at);
+  drop(records, at);
   expect_found(records, first, "the first grid: no tetrahedron at ");
   records = sphere().records;
   get<trace::Weight>(records, 3).tet[0] = get<trace::Weight>(records, 40).tet[2];
@@ -193,7 +201,7 @@ TEST_F(FollowFirstSteps, NumbersOfTheFirstGrid) {
   insert(records, at + 2, records[find<trace::Cut>(records, 0)]);
   expect_found(records, at + 2, "step (v): a record of an earlier step, 'cut'");
   records = sphere().records;
-  erase(records, at);
+  drop(records, at);
   EXPECT_NE(files.message([&] { follow_records(records); })
                 .find(": expected the records 'first_grid' and 'weight'"),
             std::string::npos);

@@ -87,6 +87,20 @@ TEST_F(FollowTest, AWrongAverage) {
   expect_found(records, at, "insertion 31: E'avg, eq. (3.5)");
 }
 
+// With `literal`, E'avg is a mean over L+3 tetrahedra, but a trace states the average after the split.
+TEST_F(FollowTest, AveragesWhereLPlus3IsTakenLiterally) {
+  const TracedRun run("terrain:seed=5,m=3", {.cells = {4, 4, 4},
+                                             .box_scale = 4.0 / 3,
+                                             .literal = true,
+                                             .adapt = AdaptOptions{.points = 100, .v0 = {0.1}, .v1 = {1}}});
+  auto records = run.records;
+  std::size_t n = 0;
+  while (get<trace::Insertion>(records, n).replaced.size() == 4) ++n;
+  expect_admissible(records, run);
+  get<trace::Insertion>(records, n).e_avg *= 1 + 1e-6;
+  expect_found(records, find<trace::Insertion>(records, n), "E'avg, eq. (3.5), is ", run);
+}
+
 TEST_F(FollowTest, AWorseTetrahedron) {
   auto records = sphere().records;
   const std::size_t first = find<trace::Insertion>(records, 0), later = find<trace::Insertion>(records, 40);

@@ -52,7 +52,7 @@ Kind& get(Records& records, std::size_t n = 0) {
 inline void insert(Records& records, std::size_t at, const trace::Record& record) {
   records.insert(records.begin() + static_cast<std::ptrdiff_t>(at), record);
 }
-inline void erase(Records& records, std::size_t at) {
+inline void drop(Records& records, std::size_t at) {
   records.erase(records.begin() + static_cast<std::ptrdiff_t>(at));
 }
 

@@ -120,8 +120,18 @@ TEST_F(CheckedTraces, ATieIsProvenByBoth) {
   EXPECT_EQ(json.at("ties"), 2);
 }
 
-TEST_F(CheckedTraces, WithoutATieItIsNotExplained) {
+// Each is the best choice by its own last digits, so that neither differs from the method.
+TEST_F(CheckedTraces, ATieThatEachDecidesByItsOwnRounding) {
   const auto result = compare_checked({}, {});
+  EXPECT_EQ(result.verdict, Verdict::tie);
+  EXPECT_EQ(result.ties, 1);
+}
+
+TEST_F(CheckedTraces, WhatIsNoChoiceIsNotExplainedByATie) {
+  Records other = small_trace();
+  at<Insertion>(other, third_insertion_line).e_avg *= 1.001;
+  const auto result =
+      compare(files, other, small_trace(), 1e-9, [](const std::string&) { return CheckedTrace{}; });
   EXPECT_EQ(result.verdict, Verdict::unresolved);
   EXPECT_EQ(result.notes, Notes{"the method allows every decision of both without a tie: the difference is "
                                 "smaller than what it tells apart"});
