@@ -98,6 +98,16 @@ std::string find_surface(const std::string& named, const std::string& trace) {
 
 }  // namespace
 
+reference::Options options_of_trace(const std::string& path) {
+  try {
+    const Run run = read_run(path);
+    if (!run.lattice) throw InputError(path + ": it has no lattice record");
+    return options_of(run, path);
+  } catch (const OutOfRange& asked) {
+    throw InputError(fmt::format("{}:{}: {}", path, asked.line, asked.what));
+  }
+}
+
 CheckedTrace check_trace(const std::string& path, const std::string& surface_given) {
   CheckedTrace checked;
   const auto cannot = [&](std::string why) {

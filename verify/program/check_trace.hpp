@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "reference/options.hpp"
 #include "verify/compare_traces.hpp"
 
 namespace tetproof::verify {
@@ -13,5 +14,9 @@ namespace tetproof::verify {
 /// which is looked for where the program runs and then beside the trace. Throws InputError for a file that is
 /// no trace, or that breaks off.
 CheckedTrace check_trace(const std::string& path, const std::string& surface);
+
+/// The options of the run that made the trace at `path`, with `follow` set to it. Throws InputError for a
+/// file that is no trace, and for one that asks for what no run can be asked for.
+reference::Options options_of_trace(const std::string& path);
 
 }  // namespace tetproof::verify
