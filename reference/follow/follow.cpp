@@ -131,6 +131,7 @@ std::optional<Adaptation> follow(const OwnRun& own, const AdaptOptions* options,
       return std::nullopt;
     }
     TraceStart start = read_start(reader, next);
+    if (!next) fail_truncated(reader);
     make_replay();
     start_with(adopt(own.grid, start, replay->points));
     compare_weights(start, *replay->insertion, replay->points);

@@ -56,6 +56,8 @@ class FirstStepsCheck {
   bool take(const trace::Record& theirs) {
     const auto key = key_of(theirs);
     if (!key) return false;
+    if ((*key)[0] != lattice && !seen_[lattice])
+      throw Divergence{fmt::format("step (i): a '{}' record before the lattice", trace::name_of(theirs))};
     seen_[(*key)[0]] = true;
     const auto own = ours_.find(*key);
     if (own == ours_.end()) throw Divergence{about(*key) + ": this run has no such record"};
@@ -157,7 +159,7 @@ class FirstStepsCheck {
   std::array<bool, names.size()> seen_{};
 };
 
-// Compares the settings, except the number of points, which the end of the trace shows.
+// Compares the settings that count in this run.
 void compare(const trace::Settings& theirs, const trace::Settings& ours) {
   const auto same = [](const auto& trace, const auto& here, std::string_view name) {
     if (trace != here)
@@ -172,6 +174,7 @@ void compare(const trace::Settings& theirs, const trace::Settings& ours) {
   same(theirs.diagonals, ours.diagonals, "diagonals");
   same(theirs.literal, ours.literal, "literal");
   same(theirs.parametric, ours.parametric, "parametric");
+  same(theirs.points, ours.points, "points");
   if (ours.points == "0") return;  // there are no steps (v) and (vi)
   same_number(theirs.p, ours.p, "p");
   same(theirs.curvature, ours.curvature, "curvature");

@@ -12,7 +12,7 @@ namespace tetproof::reference {
 
 /// Reads the trace up to its first record of step (v) or (vi), or to its `end` record, and compares it with
 /// `ours`, the records of our steps (i) to (iv). Records of one kind may come in any order. `own_settings`
-/// are those of our run; the number of points is not compared. Returns the first record that is none of
+/// are those of our run. Returns the first record that is none of
 /// these. Throws Divergence for a record that differs, that stands twice, or that is missing.
 /// `not_checked` gets the kinds of records that the trace leaves out altogether. Throws InputError for a
 /// trace that breaks off here.

@@ -203,7 +203,7 @@ TEST(Follow, SaysWhereATraceDepartsAndExits1) {
 TEST(Follow, WhatIsNoTraceIsBadInput) {
   const ScratchFolder folder;
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
-           {"solid cube\n", "no.jsonl:1: "}, {"", "expected the records 'first_grid' and 'weight'"}}) {
+           {"solid cube\n", "no.jsonl:1: "}, {"", "the trace breaks off"}}) {
     const Outcome run = mesh({"sphere:n=100", "--cells", "4", "--follow", folder.write("no.jsonl", text)});
     EXPECT_EQ(run.exit_code, 2) << run;
     EXPECT_EQ(lines(run.err), 1u) << run;

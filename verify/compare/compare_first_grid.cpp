@@ -146,11 +146,15 @@ void FirstGrid::compare_summary(const std::optional<trace::FirstGrid>& other, st
     });
     return;
   }
-  const auto compare = [&](Step step, const char* what, bool same, const auto& a, const auto& b) {
+  const auto compare = [&](Step step, const char* what, bool same, const auto& a, const auto& b,
+                           bool asked = false) {
     if (same) return;
     differences.add(step, summary_line_, other_line, [&] {
       const auto [one, two] = apart(a, b);
-      return sides(fmt::format("{} is {} in reference, {} in other", what, one, two), one, two);
+      Differences::Difference made =
+          sides(fmt::format("{} is {} in reference, {} in other", what, one, two), one, two);
+      made.asked = asked;
+      return made;
     });
   };
   const trace::FirstGrid &a = *summary_, &b = *other;
@@ -174,8 +178,9 @@ void FirstGrid::compare_summary(const std::optional<trace::FirstGrid>& other, st
   numbers(Step::volume_law, "V_1", a.v1, b.v1);
   compare(Step::volume_law, "d_1", std::abs(a.d1 - b.d1) <= tolerance_.length, a.d1, b.d1);
   numbers(Step::average, "E_avg of the first grid", a.e_avg, b.e_avg, a.mean_volume);
-  numbers(Step::average, "the E_avg at which the insertion ends", a.e_avg_goal.value_or(0),
-          b.e_avg_goal.value_or(0));
+  const double goal = a.e_avg_goal.value_or(0), other_goal = b.e_avg_goal.value_or(0);
+  compare(Step::average, "the E_avg at which the insertion ends", tolerance_.same(goal, other_goal), goal,
+          other_goal, true);
 }
 
 void FirstGrid::compare(TraceStream& other, Differences& differences,

@@ -163,7 +163,8 @@ void FirstSteps::compare(TraceStream& other, Differences& differences,
                                 record.cells[1], record.cells[2])
                   : "the lattice's boxes differ",
             {lattice_line_, says(lattice_), to_line(lattice_)},
-            {other.line(), says(record), to_line(record)}};
+            {other.line(), says(record), to_line(record)},
+            cells};
       });
     } else if constexpr (std::is_same_v<R, Indicators>) {
       if (const auto* entry = indicators_.match(line, {record.j, record.k}, record, differences, called))
@@ -192,6 +193,19 @@ void FirstSteps::compare(TraceStream& other, Differences& differences,
       const bool as_close = std::abs((a - from).norm() - (b - from).norm()) <= tolerance_.length;
       compare_points(Step::moved, *entry, record, line, a, b, as_close ? ", both as close to it" : "",
                      as_close);
+      if (entry->record.mended != record.mended)
+        differences.add(
+            Step::moved, entry->line, line,
+            [&, &record = record, &line = line] {
+              const auto says = [](const Moved& m) {
+                return m.mended ? "moved because of rounding" : "moved because it is near";
+              };
+              return Differences::Difference{fmt::format("{} in both, but only in {} because of rounding",
+                                                         name(record), record.mended ? "other" : "reference"),
+                                             {entry->line, says(entry->record), to_line(entry->record)},
+                                             {line, says(record), to_line(record)}};
+            },
+            exact || vertices_.doubtful(record.vertex));
     }
   }
 
@@ -229,8 +243,8 @@ void FirstSteps::note(Vertices& vertices, const Record& record) const {
       if (tolerance_.same(position(end), cut->point)) vertices.near.insert(end);
 }
 
-// Adds the vertices whose indicators differ. Mending starts the characterisation again, so a mended vertex is
-// compared with the moved vertices and not here.
+// Adds the vertices whose indicators differ. Mending starts the characterisation again, so a vertex that only
+// one of the traces has mended is compared with the moved vertices and not here.
 void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
                                     Differences& differences) const {
   for (const Waiting& row : rows) {
@@ -242,7 +256,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
         const char reference = i < in_a->size() ? (*in_a)[i] : ' ', its = i < in_b->size() ? (*in_b)[i] : ' ';
         if (reference == its) continue;
         const LatticeVertex vertex{static_cast<int>(i), a.j, a.k};
-        if (vertices_.mended.contains(vertex) || other.mended.contains(vertex)) continue;
+        if (vertices_.mended.contains(vertex) != other.mended.contains(vertex)) continue;
         const bool by_rounding = exact_only && ((reference == '0' && other.near.contains(vertex)) ||
                                                 (its == '0' && vertices_.near.contains(vertex)));
         differences.add(

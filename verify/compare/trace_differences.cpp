@@ -37,7 +37,7 @@ const std::vector<TraceStep>& trace_steps() {
 void tell(TraceComparison& result, Step step, std::int64_t count, const Differences::Difference& difference) {
   const TraceStep& about = trace_steps()[static_cast<std::size_t>(step)];
   result.verdict =
-      step == Step::settings ? TraceComparison::Verdict::diverges : TraceComparison::Verdict::unresolved;
+      difference.asked ? TraceComparison::Verdict::diverges : TraceComparison::Verdict::unresolved;
   result.step = about.name;
   result.place = about.place;
   result.what = difference.what;

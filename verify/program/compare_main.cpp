@@ -100,6 +100,8 @@ int work(const Arguments& arguments, const program::Common& common) {
                                [&](const std::string& path) -> verify::CheckedTrace {
                                  if (path == "/dev/stdin")
                                    return {.cannot = "standard input can be read only once"};
+                                 if (!std::filesystem::is_regular_file(path))
+                                   return {.cannot = "a pipe can be read only once"};
                                  return verify::check_trace(path, arguments.surface);
                                });
     progress.end();
