@@ -56,9 +56,26 @@ void compare_with_each_other(TraceStream& other, TraceStream& reference, double 
     }
 }
 
+// Whether the method already differs from both traces in the part in which they agree. Then it has another
+// surface than they, or other options that a trace does not state, and cannot tell which of them is wrong.
+bool differs_from_both(const CheckedTrace& other, const CheckedTrace& reference,
+                       const TraceComparison& result) {
+  const auto before = [](const CheckedTrace& checked, const TraceSide& side) {
+    return checked.cannot.empty() && !checked.admissible && checked.line < side.line;
+  };
+  return before(other, result.other) && before(reference, result.reference);
+}
+
 // Asks the method which of the two is wrong.
 void resolve(TraceComparison& result, const CheckTrace& check) {
   const CheckedTrace other = check(result.other.file), reference = check(result.reference.file);
+  if (differs_from_both(other, reference, result)) {
+    result.notes.push_back(
+        fmt::format("neither is what the method makes of this surface ({}:{}: {}): were they made from "
+                    "another one? --surface FILE says which",
+                    result.other.file, other.line, other.what));
+    return;
+  }
   for (const auto& [checked, side] :
        {std::pair(&other, &result.other), std::pair(&reference, &result.reference)}) {
     for (const std::string& what : checked->not_checked)
