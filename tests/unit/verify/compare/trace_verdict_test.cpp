@@ -107,6 +107,19 @@ TEST_F(CheckedTraces, BothAreWrong) {
   EXPECT_EQ(result.notes, Notes{files.path("reference.jsonl") + ":7 is not admissible either: another"});
 }
 
+// They agree up to line 22. If both are wrong before, the method has another surface than they.
+TEST_F(CheckedTraces, BothAreWrongBeforeTheyPart) {
+  const CheckedTrace wrong{.admissible = false, .line = 5, .what = "the box is larger"};
+  const auto result = compare_checked(wrong, wrong);
+  EXPECT_EQ(result.verdict, Verdict::unresolved);
+  EXPECT_EQ(result.wrong.file, "");
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("other.jsonl:5: the box is larger"), std::string::npos) << result.notes[0];
+  CheckedTrace later = wrong;
+  later.line = 23;
+  EXPECT_EQ(compare_checked(wrong, later).verdict, Verdict::diverges);
+}
+
 TEST_F(CheckedTraces, ATieIsProvenByBoth) {
   const auto result = compare_checked({.ties = 2}, {.ties = 1});
   EXPECT_EQ(result.verdict, Verdict::tie);
