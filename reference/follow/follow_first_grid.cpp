@@ -53,13 +53,14 @@ void compare(const trace::Weight& theirs, std::int64_t line, const Weight& ours,
 // two weights give the constants, and all others must agree.
 void expect_law(const TraceStart& start, const VolumeLaw& law) {
   const auto d = [](const trace::Weight& w) { return w.omega * w.d; };
-  const auto [low, high] =
+  const auto ends =
       std::minmax_element(start.weights.begin(), start.weights.end(),
                           [&](const trace::Weight& a, const trace::Weight& b) { return d(a) < d(b); });
+  const trace::Weight &low = *ends.first, &high = *ends.second;
   const auto power = [&](const trace::Weight& w) { return std::pow(d(w), law.p); };
-  const double x0 = power(*low), y0 = low->desired, width = power(*high) - x0;
+  const double x0 = power(low), y0 = low.desired, width = power(high) - x0;
   const auto by_others = [&](const trace::Weight& w) {
-    return width > 0 ? y0 + (power(w) - x0) / width * (high->desired - y0) : y0;
+    return width > 0 ? y0 + (power(w) - x0) / width * (high.desired - y0) : y0;
   };
   const auto by_law = [&](const trace::Weight& w) { return desired_volume(d(w), law); };
   const auto fit = [&](const auto& volume) {

@@ -49,7 +49,7 @@ class FirstStepsCheck {
       if (const auto* box = std::get_if<trace::Lattice>(&record))
         reach_ = same_place * (box->box[1] - box->box[0]).norm();
     for (const trace::Record& record : ours)
-      if (const auto key = key_of(record)) ours_.emplace(*key, record);
+      if (const auto key = key_of(record)) ours_.emplace(*key, Own{record});
   }
 
   // False if the record is none of steps (i) to (iv).
