@@ -5,7 +5,7 @@ import math
 from fractions import Fraction
 from itertools import combinations
 
-LEAST_CELLS = 1  # the cells that every side gets at least (reading D1)
+LEAST_CELLS = 4  # the cells that every side gets at least (reading D1)
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 

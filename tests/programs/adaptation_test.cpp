@@ -157,14 +157,14 @@ TEST_P(ShippedTraces, HaveNotDrifted) {
 
 TEST_P(ShippedTraces, AreAdmissible) {
   const std::string file = traces + GetParam().name + ".jsonl";
-  if (read(file).find("\"not-asked\"") != std::string::npos)
-    GTEST_SKIP() << "a trace without insertions is not followed";
   const Outcome run = mesh(GetParam().arguments + Words{"--voxels", "0", "--follow", file, "--json", "-"});
   ASSERT_EQ(run.exit_code, 0) << run;
   const json report = json::parse(run.out);
   EXPECT_EQ(report["follow"]["admissible"], true);
   EXPECT_EQ(report["follow"]["ties"], 0);
-  EXPECT_GT(report["adaptation"]["insertions"], 15);
+  if (read(file).find("\"not-asked\"") == std::string::npos) {
+    EXPECT_GT(report["adaptation"]["insertions"], 15);
+  }
 }
 
 // The shipped traces are more than a record of the fast engine's own results: the page writes the same bytes.

@@ -42,7 +42,7 @@ TriangleSurface surface_of(const Json& input) {
 
 // --- eq. (2.1)
 
-constexpr int least_cells = 1;  // that every side gets at least (reading D1): for mistakes made on purpose
+constexpr int least_cells = 4;  // that every side gets at least (reading D1): for mistakes made on purpose
 
 Json lattice(const Json& input, const std::string& mistake) {
   TriangleSurface surface = surface_of(input);

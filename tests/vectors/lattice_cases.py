@@ -7,7 +7,7 @@ from math import floor
 
 from exact import Draws
 
-LEAST = 1  # the cells that every side gets at least, or N if N is smaller (reading D1); checks.py and geometry_answers.cpp have it, too
+LEAST = 4  # the cells that every side gets at least, or N if N is smaller (reading D1); checks.py and geometry_answers.cpp have it, too
 
 FLAGS = {
     "three-numbers": "The numbers of cells are given, one for each side.",
