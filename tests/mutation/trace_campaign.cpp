@@ -73,6 +73,11 @@ std::vector<Original> originals(const std::string& shipped) {
                .box_scale = 4.0 / 3,
                .literal = true,
                .adapt = AdaptOptions{.points = 40, .v0 = {0.1}, .v1 = {1}, .improve_below = 0.01}}},
+      {"mended", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4",
+       Options{.cells = {6, 6, 6},
+               .box_scale = 1.5,
+               .on_surface = 0,
+               .adapt = AdaptOptions{.points = 25, .v0 = {0.1}, .v1 = {1}, .improve = Criterion::none}}},
       {"not-adapted", "torus:R=1,r=0.4,n=150", Options{.cells = {5, 5, 2}}},
       {"empty", "sphere:r=1,n=96", Options{.cells = {2, 1, 1}, .adapt = AdaptOptions{}}}};
   all.insert(all.end(), made.begin(), made.end());
