@@ -73,6 +73,11 @@ std::vector<Original> originals(const std::string& shipped) {
                .box_scale = 4.0 / 3,
                .literal = true,
                .adapt = AdaptOptions{.points = 40, .v0 = {0.1}, .v1 = {1}, .improve_below = 0.01}}},
+      {"mended", "box:x0=0,x1=4,y0=0,y1=4,z0=0,z1=4",
+       Options{.cells = {6, 6, 6},
+               .box_scale = 1.5,
+               .on_surface = 0,
+               .adapt = AdaptOptions{.points = 25, .v0 = {0.1}, .v1 = {1}, .improve = Criterion::none}}},
       {"not-adapted", "torus:R=1,r=0.4,n=150", Options{.cells = {5, 5, 2}}},
       {"empty", "sphere:r=1,n=96", Options{.cells = {2, 1, 1}, .adapt = AdaptOptions{}}}};
   all.insert(all.end(), made.begin(), made.end());
@@ -164,8 +169,9 @@ class Campaign {
     }
   }
 
-  // What the two say of a mutant that means the same; empty if they accept it.
-  std::string alarm() const {
+  // What the two say of a mutant that means the same; empty if they accept it. They may tell a point that is
+  // written with other bits than before, although it is within the tolerance.
+  std::string told_of() const {
     try {
       const verify::TraceComparison result = verify::compare_traces(mutant_, original_);
       if (result.verdict != verify::TraceComparison::Verdict::equal) return verify::comparison_text(result);
@@ -204,7 +210,7 @@ class Campaign {
 };
 
 struct Score {
-  int made = 0, same = 0, alarms = 0;
+  int made = 0, same = 0, told = 0;
   int found = 0, file = 0, line = 0;    // by the comparison
   int followed = 0, followed_line = 0;  // by the check
 
@@ -213,10 +219,10 @@ struct Score {
 
 void print(const char* title, const std::map<std::string, Score>& scores) {
   fmt::print("\n{:<18} {:>6} {:>6} {:>6} {:>8} | {:>7} {:>6} {:>6} | {:>7} {:>6}\n", title, "made", "same",
-             "alarms", "counted", "compare", "file", "line", "follow", "line");
+             "told", "counted", "compare", "file", "line", "follow", "line");
   for (const auto& [name, s] : scores)
     fmt::print("{:<18} {:>6} {:>6} {:>6} {:>8} | {:>7} {:>6} {:>6} | {:>7} {:>6}\n", name, s.made, s.same,
-               s.alarms, s.counted(), s.found, s.file, s.line, s.followed, s.followed_line);
+               s.told, s.counted(), s.found, s.file, s.line, s.followed, s.followed_line);
 }
 
 }  // namespace
@@ -259,17 +265,17 @@ int main(int argc, char** argv) {
     const Mutant mutant = campaign.write_mutant(random);
     const bool same = campaign.means_the_same();
     const bool as_reference = random() % 2;
-    const std::string alarm = same ? campaign.alarm() : "";
-    if (!alarm.empty())
-      fmt::print("FALSE ALARM: mutant {} of {} ({}): {}: {}\n  {}\n", number, name, seed,
-                 name_of(mutant.operation), mutant.what, alarm);
+    const std::string told = same ? campaign.told_of() : "";
+    if (!told.empty())
+      fmt::print("SAME, BUT TOLD: mutant {} of {} ({}): {}: {}\n  {}\n", number, name, seed,
+                 name_of(mutant.operation), mutant.what, told);
     const Answer compared = same ? Answer{} : campaign.compare(mutant, as_reference);
     const Answer followed = same ? Answer{} : campaign.follow(mutant);
     for (Score* score :
          {&by_operation[name_of(mutant.operation)], &by_kind[mutant.kind], &by_trace[name], &all["all"]}) {
       ++score->made;
       score->same += same;
-      score->alarms += !alarm.empty();
+      score->told += !told.empty();
       score->found += compared.found;
       score->file += compared.right_file;
       score->line += compared.right_line;

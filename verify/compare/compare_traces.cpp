@@ -79,7 +79,9 @@ void resolve(TraceComparison& result, const CheckTrace& check) {
   for (const auto& [checked, side] :
        {std::pair(&other, &result.other), std::pair(&reference, &result.reference)}) {
     for (const std::string& what : checked->not_checked)
-      result.not_compared.push_back(fmt::format("{}: {} has none", what, side->file));
+      if (!std::any_of(result.not_compared.begin(), result.not_compared.end(),
+                       [&](const std::string& known) { return known.starts_with(what + ":"); }))
+        result.not_compared.push_back(fmt::format("{}: {} has none", what, side->file));
     if (!checked->cannot.empty()) {
       result.notes.push_back(fmt::format("{} could not be checked: {}", side->file, checked->cannot));
     } else if (!checked->admissible) {

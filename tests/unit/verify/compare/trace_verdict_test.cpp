@@ -172,6 +172,18 @@ TEST_F(CheckedTraces, WhatATraceLeavesOutIsNotCompared) {
   EXPECT_NE(text(result).find("\n  not compared: settings: other.jsonl has none\n"), std::string::npos);
 }
 
+TEST_F(CheckedTraces, WhatIsLeftOutIsToldOnce) {
+  Records other = small_trace();
+  std::erase_if(other, [](const Record& record) { return std::holds_alternative<Rows>(record); });
+  at<Insertion>(other, third_insertion_line - 2).e_avg = 0.171;  // two lines are gone
+  const auto result = compare(files, other, small_trace(), 1e-9, [&](const std::string& path) {
+    return path == files.path("other.jsonl") ? CheckedTrace{.not_checked = {"rows of Table 2", "settings"}}
+                                             : CheckedTrace{};
+  });
+  EXPECT_EQ(result.not_compared, (Notes{"rows of Table 2: other has none",
+                                        "settings: " + files.path("other.jsonl") + " has none"}));
+}
+
 // Neither is asked for where the traces are equal, were asked for different things, or one contradicts
 // itself.
 TEST_F(CheckedTraces, AreCheckedOnlyWhereTheyPart) {
