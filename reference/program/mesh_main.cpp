@@ -112,7 +112,8 @@ verify::JudgedSurface judge(const TriangleSurface& surface, const std::string& n
                             const program::Common& common) {
   verify::JudgedSurface judged(surface);
   if (!judged.report().fault.empty()) throw InputError(name + ": " + judged.report().fault);
-  for (const std::string& note : judged.report().notes) program::say(common, name + ": " + note);
+  for (const std::string& note : judged.report().notes)
+    program::say(common, fmt::format("{}: {}", name, note));
   return judged;
 }
 

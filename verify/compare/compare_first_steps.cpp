@@ -78,11 +78,9 @@ void FirstSteps::read(TraceStream& stream, const Take& take) {
             once(settings);
           } else if constexpr (std::is_same_v<R, Lattice>) {
             once(lattice);
-          } else if constexpr (std::is_same_v<R, FirstGrid> || std::is_same_v<R, Weight> ||
-                               std::is_same_v<R, Insertion> || std::is_same_v<R, Flip> ||
-                               std::is_same_v<R, End>) {
-            return false;
-          } else if (!lattice) {
+          } else if (std::is_same_v<R, FirstGrid> || std::is_same_v<R, Weight> ||
+                     std::is_same_v<R, Insertion> || std::is_same_v<R, Flip> || std::is_same_v<R, End> ||
+                     !lattice) {
             return false;
           }
           take(record);
