@@ -17,9 +17,9 @@ using trace::Weight;  ///< a tetrahedron's values in eqs (3.1) to (3.3) and (3.6
 
 /// The split that Table 4 prescribes.
 struct Split {
-  int row = 0;                ///< in `tables::table4`
-  std::vector<int> replaced;  ///< positions in the tetrahedron: the corners of what holds the new point
-  Point point;
+  int row = 0;                  ///< in `tables::table4`
+  std::vector<int> replaced{};  ///< positions in the tetrahedron: the corners of what holds the new point
+  Point point{};
   bool on_surface = false, moved = false;  ///< a surface point; moved to the parametric surface
   double change = 0;                       ///< of the sum of errors
 };
@@ -27,7 +27,7 @@ struct Split {
 struct Tetrahedron {
   Tet v{};
   Weight weight;
-  std::optional<Split> split;          ///< as evaluated before: it changes only with the tetrahedron (D19)
+  std::optional<Split> split{};        ///< as evaluated before: it changes only with the tetrahedron (D19)
   bool refused = false, left = false;  ///< the split degenerates (D18); its point must not be moved (D12)
 };
 

@@ -12,9 +12,9 @@ namespace tetproof::reference::paper {
 /// Two or three tetrahedra, and the other triangulation of the convex hexahedron that they fill.
 struct Flip {
   Numbers old;
-  std::set<int> hull, face, edge;  ///< the five vertices; the three and the two of them
-  std::vector<Tet> pieces;         ///< the new tetrahedra
-  double before = 0, after = 0;    ///< the smallest quality
+  std::set<int> hull{}, face{}, edge{};  ///< the five vertices; the three and the two of them
+  std::vector<Tet> pieces{};             ///< the new tetrahedra
+  double before = 0, after = 0;          ///< the smallest quality
 };
 
 /// tan(Omega/2) of the smallest of the four solid angles, which have one numerator (reading D20).

@@ -61,7 +61,7 @@ const std::vector<Case>& cases() {
       {Mistake::distance_to_triangles, "9", none, "first_grid", "distance",
        "the distance d of the tetrahedron", "d1 is "},
       {Mistake::volumes_exchanged, "9", none, "first_grid", "desired",
-       "the desired volume V(d) of the tetrahedron", "V(d), eq. (3.1), of the tetrahedron"},
+       "the desired volume V(d) of the tetrahedron", "V(d) of all tetrahedra is eq. (3.1) with other V0"},
       {Mistake::signed_error, "9", none, "first_grid", "error", "the error E of the tetrahedron",
        "E, eq. (3.3), of the tetrahedron"},
       {Mistake::signed_curvature, "9", [](Options& s) { s.adapt->curvature = true; }, "first_grid",

@@ -112,7 +112,7 @@ TEST(VectorFiles, ContradictionsAreFound) {
       {"weights", "weights-triangle-below", "/expected/tetrahedra/0/d", 1, "eq. (3.2) does not hold"},
       {"choice", "choice-mixed-tie", "/expected/tet", 3, "not the smallest average"},
       {"curvature_weight", "weight-range1-3/8", "/expected/weight", 0.5, "eq. (3.6) does not hold"},
-      {"lattice", "lattice-brick-5", "/expected/cells/1", 4, "the cells come closest to cubes"},
+      {"lattice", "lattice-brick-12", "/expected/cells/1", 9, "the cells come closest to cubes"},
       {"lattice", "lattice-cube-3-4-5", "/expected/points/2/0", 0.3, "eq. (2.1) does not hold"},
       {"indicators", "indicators-cube-within", "/expected/indicators/3", 1, "0 exactly on the surface"},
       {"indicators", "indicators-shell-cavity", "/expected/indicators/0", 1, "no others"},
