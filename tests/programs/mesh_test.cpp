@@ -200,20 +200,16 @@ TEST(Mesh, AnEmptyGridIsSaidAndIsNotCertified) {
 // A thin shell of which the tolerance takes the few vertices of the default lattice that are inside.
 TEST(Mesh, AThinSurfaceGetsMoreCellsByDefault) {
   const ScratchFolder folder;
-  const Words thin{TETPROOF_SOURCE_DIR "/corpus/surfaces/Cray_left.obj",
-                   "--on-surface",
-                   "0.1",
-                   "--points",
-                   "0",
-                   "--voxels",
-                   "0",
-                   "-o",
-                   folder / "g.msh"};
+  std::vector<std::string> thin{TETPROOF_SOURCE_DIR "/corpus/surfaces/Cray_left.obj", "--on-surface", "0.1"};
+  for (const std::string& word : {std::string("--points"), std::string("0"), std::string("--voxels"),
+                                  std::string("0"), std::string("-o"), folder / "g.msh"})
+    thin.push_back(word);
   const Outcome run = mesh(thin);
   EXPECT_EQ(run.exit_code, 0) << run;
   EXPECT_THAT(run.err,
               HasSubstr("the grid with 24 cells is empty, because the surface is thin: 96 are taken"));
-  const Outcome told = mesh(thin + Words{"--cells", "24"});
+  thin.insert(thin.end(), {"--cells", "24"});
+  const Outcome told = mesh(thin);
   EXPECT_EQ(told.exit_code, 1) << told;
 }
 
