@@ -270,7 +270,7 @@ TriangleSurface surface_of(const Document&);
 /// Tetrahedra in volume 1, numbered from 1. An index i that names no point (outside [0, points)) becomes the
 /// unknown number i + 1.
 Document document_of(const TetMesh&);
-/// Triangles in surface 1, numbered from 1, with indices as above.
+/// Triangles in surface 1, numbered from 1; indices as above. (u,v) become OBJ's values "texture" (`vt`).
 Document document_of(const TriangleSurface&);
 
 }  // namespace tetproof

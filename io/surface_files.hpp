@@ -41,8 +41,8 @@ struct SurfaceWriteOptions {
 
 /// Writes vertices and triangles, all of them or nothing. OFF, OBJ and PLY hold every double exactly. STL in
 /// its binary form (the default) has float32, and keeps triangles only: coordinates are rounded, vertices
-/// that no triangle uses are lost, and the rest are renumbered when it is read again. The parametric
-/// definition is not written. OBJ counts vertices from 1, OFF and PLY from 0. PLY has type float if every
+/// that no triangle uses are lost, and the rest are renumbered when it is read again. OBJ has (u,v), as `vt`;
+/// no format has the evaluator. OBJ counts vertices from 1, OFF and PLY from 0. PLY has type float if every
 /// coordinate is a float. InputError if the place cannot be written, if the ending names no format, or if a
 /// triangle names a vertex that does not exist.
 void write_surface(const std::string& path, const TriangleSurface& surface,

@@ -82,14 +82,15 @@ struct FirstGrid {
   double mean_volume = 0, v0 = 0, v1 = 0, d1 = 0;
   std::optional<double> kappa_min, kappa_max;  ///< with curvature only
   double e_avg = 0;
+  std::optional<double> e_avg_goal{};  ///< the average at which the insertion ends, if one was asked for
 };
 
 /// Step (v): one tetrahedron of the first grid.
 struct Weight {
   Tet tet;
-  double d = 0;                 ///< eq. (3.2)
-  std::optional<double> kappa;  ///< with curvature only
-  double omega = 1;             ///< eq. (3.6)
+  double d = 0;                   ///< eq. (3.2)
+  std::optional<double> kappa{};  ///< with curvature only
+  double omega = 1;               ///< eq. (3.6)
   double volume = 0;
   double desired = 0;  ///< eq. (3.1)
   double error = 0;    ///< eq. (3.3)
@@ -109,8 +110,8 @@ struct Insertion {
 /// Section 4: one flip. It follows the insertion before it in the file.
 struct Flip {
   bool two_to_three = true;  ///< the edge replaces the face; otherwise the face replaces the edge
-  std::array<Point, 3> face;
-  std::array<Point, 2> edge;
+  std::array<Point, 3> face{};
+  std::array<Point, 2> edge{};
   /// The smallest quality of the tetrahedra: S as a fraction of the full solid angle, or D/A [1/length].
   double quality_before = 0, quality_after = 0;
   double e_avg = 0;  ///< after the flip

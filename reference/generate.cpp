@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/generate.hpp"
 
-#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -9,36 +8,70 @@
 #include <mutex>
 #include <utility>
 
-#include "io/error.hpp"
+#include "io/surface/used_vertices.hpp"
+#include "reference/by_page/generate_by_page.hpp"
 #include "reference/engine/first_grid/contacts.hpp"
 #include "reference/engine/first_grid/exact.hpp"
+#include "reference/engine/first_grid/first_grid_records.hpp"
 #include "reference/engine/first_grid/inside.hpp"
 #include "reference/engine/first_grid/intersections.hpp"
 #include "reference/engine/first_grid/mend.hpp"
-#include "reference/trace/trace_records.hpp"
 
 namespace tetproof::reference {
 namespace {
 
-void check(const Options& options) {
-  if (!(options.on_surface >= 0 && options.on_surface <= 0.15))
-    throw InputError(
-        fmt::format("the on-surface tolerance must be 0 to 0.15 of the shortest cell edge, found {}",
-                    options.on_surface));
-  if (options.adapt) check(*options.adapt);
-  if (!options.follow.empty() && !options.adapt)
-    throw InputError("a trace can only be followed with an adaptation, steps (v) and (vi)");
+// The last record of the trace.
+trace::End end_of(const Generation& made) {
+  trace::End end{
+      .stopped = "not-asked", .points = std::ssize(made.mesh().points), .tets = std::ssize(made.mesh().tets)};
+  if (made.adaptation) {
+    end.stopped = name_of(made.adaptation->stopped);
+    end.insertions = made.adaptation->insertions;
+    end.flips = made.adaptation->flips;
+    end.refused = made.adaptation->refused;
+    end.e_avg = made.adaptation->e_avg_last;
+  }
+  return end;
+}
+
+// The options with a number of cells for which the grid is not empty, if there is one up to `most_cells`.
+Options with_enough_cells(const TriangleSurface& surface, Options options) {
+  Options first_grid_only = options;
+  first_grid_only.adapt.reset();
+  first_grid_only.follow.clear();
+  first_grid_only.listener = {};
+  first_grid_only.raise_cells = false;
+  first_grid_only.engine = Engine::fast;
+  for (int cells = options.cells[0]; cells <= Options::most_cells; cells *= 2) {
+    first_grid_only.cells[0] = cells;
+    if (!generate(surface, first_grid_only).grid.mesh.tets.empty()) {
+      options.cells[0] = cells;
+      break;
+    }
+  }
+  options.raise_cells = false;
+  return options;
 }
 
 }  // namespace
 
-Generation generate(const TriangleSurface& surface, const Options& options) {
+Generation generate(const TriangleSurface& given, const Options& options) {
   check(options);
+  const std::optional<TriangleSurface> used = io::without_unused_vertices(given);
+  const TriangleSurface& surface = used ? *used : given;
+  if (options.raise_cells) return generate(surface, with_enough_cells(surface, options));
+  if (options.engine == Engine::paper) return generate_by_page(surface, options);
   const double tolerance = options.literal ? 0 : options.on_surface;
   const auto phase = [&](std::string_view name) {
     if (options.listener.phase) options.listener.phase(name);
   };
-  const Recorder& record = options.listener.record;
+  std::vector<trace::Record> own_steps;  // of steps (i) to (iv), to check a trace with
+  Recorder record = options.listener.record;
+  if (!options.follow.empty())
+    record = [&](const trace::Record& made) {
+      own_steps.push_back(made);
+      if (options.listener.record) options.listener.record(made);
+    };
 
   phase("lattice");
   const Lattice lattice = make_lattice(surface, options.cells, options.box_scale);  // (i), eq. 2.1
@@ -91,11 +124,7 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
       to_mend = vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
     // No tetrahedron is bad, or none of the bad ones may or can be mended; then the verifier will name them.
     if (to_mend.empty()) {
-      if (record) {
-        record_lattice(lattice, record);
-        record_characterization(lattice, indicators, settled, mended, record);
-        record_rows(lattice, result.grid, record);
-      }
+      if (record) record_first_steps(first_steps(lattice, indicators, settled, mended, result.grid), record);
       break;
     }
     for (const NearVertex& near : to_mend) mended.push_back(near.vertex);
@@ -111,16 +140,24 @@ Generation generate(const TriangleSurface& surface, const Options& options) {
     const std::vector<MappedPoint> mapped = move_surface_points(result.grid, *true_surface);
     result.mapped = std::count_if(mapped.begin(), mapped.end(), [](const MappedPoint& m) { return m.moved; });
     result.not_mapped = std::ssize(mapped) - result.mapped;
-    if (record) record_mapped(mapped, record);
+    for (const MappedPoint& point : mapped)
+      if (record) record(trace::Mapped{point.from, point.moved ? point.to : point.from});
   }
-  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0) {  // (v), (vi)
-    if (options.follow.empty())
-      result.adaptation = adapt(result.grid, surface, *options.adapt, true_surface.get(), options.listener);
-    else
-      result.adaptation =
-          follow(result.grid, surface, *options.adapt, true_surface.get(), settings_of(options, surface),
-                 options.follow, options.listener, result.follow.emplace());
+  std::optional<AdaptOptions> adapt_options;  // (v), (vi)
+  if (options.adapt && !result.grid.mesh.tets.empty() && result.not_positive == 0) {
+    adapt_options = options.adapt;
+    adapt_options->literal = options.literal;
   }
+  if (!options.follow.empty())
+    result.adaptation = follow({.grid = result.grid,
+                                .surface = surface,
+                                .true_surface = true_surface.get(),
+                                .settings = settings_of(options, static_cast<bool>(surface.evaluate)),
+                                .first_steps = std::move(own_steps)},
+                               adapt_options ? &*adapt_options : nullptr, options.follow, options.listener,
+                               result.follow.emplace());
+  else if (adapt_options)
+    result.adaptation = adapt(result.grid, surface, *adapt_options, true_surface.get(), options.listener);
   if (record) record(end_of(result));
   return result;
 }

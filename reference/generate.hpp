@@ -3,40 +3,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
-#include <string_view>
 
 #include "io/triangle_surface.hpp"
 #include "reference/engine/adaptation/adapt.hpp"
 #include "reference/engine/first_grid/extract.hpp"
 #include "reference/follow/follow.hpp"
+#include "reference/options.hpp"
 
 namespace tetproof::reference {
-
-struct Options {
-  Region region = Region::inside;
-  /// Numbers of cells along x, y and z; or one number, for the longest side, followed by two zeros (reading
-  /// D1).
-  std::array<int, 3> cells{24, 0, 0};
-  /// The factor, more than 1, by which the surface's box is scaled about its centre (reading D1).
-  double box_scale = 1.2;
-  /// In units of the shortest cell edge, 0 to 0.15: a lattice vertex closer to the surface than this is moved
-  /// to the surface (reading D4).
-  double on_surface = 1e-6;
-  Diagonals diagonals = Diagonals::lowest;
-  /// The method as printed: case 5 is always kept, `on_surface` counts as 0, and tetrahedra inverted by
-  /// rounding are reported instead of mended (readings D4, D10).
-  bool literal = false;
-  bool parametric = true;  ///< use the surface's parametric definition if it has one (reading D12)
-  /// Settings of steps (v) and (vi). Without them, the first grid is the result; so it is if the first grid
-  /// is empty or has a tetrahedron that is not positive.
-  std::optional<AdaptOptions> adapt;
-  /// The path of a trace. Its decisions are replayed and checked, and the method makes none of its own. Needs
-  /// `adapt`. Empty: no trace is followed.
-  std::string follow;
-  Listener listener;
-};
 
 /// The grid, and how it was made.
 struct Generation {
@@ -61,9 +36,9 @@ struct Generation {
 };
 
 /// Steps (i) to (vi) for a surface that is closed, 2-manifold and free of self-intersections (see
-/// verify/surface.hpp). Its orientation does not matter. Throws InputError for options out of range,
-/// std::logic_error for a surface that is not closed. The same input gives the same result on any number of
-/// threads.
+/// verify/surface.hpp). Its orientation does not matter, and vertices that no triangle names do not count.
+/// Throws InputError for options out of range, std::logic_error for a surface that is not closed. The same
+/// input gives the same result on any number of threads.
 Generation generate(const TriangleSurface& surface, const Options& options);
 
 }  // namespace tetproof::reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables 1, 2 and 3 of the paper, row by row in the page's order and notation. Corrections to the printed
-// rows name their reading (readings.md). Table 4 is in engine/adaptation/table4.hpp.
+// Tables 1 to 4 of the paper, row by row in the page's order and notation. Corrections to the printed rows
+// name their reading (readings.md). Both engines use them.
 #pragma once
 
 #include <array>
@@ -121,6 +121,45 @@ static_assert(table3.size() == 7);
 constexpr int table3_row(int vi, int vj) {
   for (std::size_t r = 0; r < table3.size(); ++r)
     if (table3[r].vi == vi && table3[r].vj == vj && table3[r].intersections != Points::even) return static_cast<int>(r);
+  return -1;
+}
+
+/// Where Table 4 puts the new point.
+enum class Place : std::uint8_t {
+  tetrahedron,  ///< the centroid of the tetrahedron
+  face,         ///< the centroid of the unshared face
+  edge,         ///< the midpoint of the edge that no other tetrahedron has
+};
+
+/// A row of Table 4. Its case depends on the number of surface points among the vertices and on the edges and faces that no other
+/// tetrahedron shares.
+struct Table4Row {
+  std::string_view name;
+  int surface_points;
+  std::string_view configuration;
+  Place place;
+};
+
+inline constexpr std::array table4{
+    //        case  surface points   configuration
+    Table4Row{"0",  0, "",                                                             Place::tetrahedron},  // not printed: the paper asks for no special care
+    Table4Row{"1",  1, "",                                                             Place::tetrahedron},
+    Table4Row{"2a", 2, "another tetrahedron shares the edge v1 v2",                    Place::tetrahedron},
+    Table4Row{"2b", 2, "no other tetrahedron shares the edge v1 v2",                   Place::edge},
+    Table4Row{"3a", 3, "another tetrahedron shares the face (v1, v2, v3)",             Place::tetrahedron},
+    Table4Row{"3b", 3, "no other tetrahedron shares the face (v1, v2, v3)",            Place::face},
+    Table4Row{"4a", 4, "all four faces are shared by other tetrahedra",                Place::tetrahedron},
+    Table4Row{"4b", 4, "three faces are shared, (v2, v3, v4) is not",                  Place::face},
+    Table4Row{"4c", 4, "two faces are shared, (v1, v3, v4) and (v2, v3, v4) are not",  Place::edge},         // printed as a first "4d" (reading E3)
+    Table4Row{"4d", 4, "the face (v1, v2, v3) is shared, the other three are not",     Place::edge},
+    Table4Row{"4e", 4, "no face is shared by another tetrahedron",                     Place::edge},
+};
+static_assert(table4.size() == 11);
+
+/// The row of Table 4 with this name, -1 if there is none.
+constexpr int table4_row(std::string_view name) {
+  for (std::size_t r = 0; r < table4.size(); ++r)
+    if (table4[r].name == name) return static_cast<int>(r);
   return -1;
 }
 

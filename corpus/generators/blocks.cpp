@@ -139,11 +139,11 @@ std::vector<Parameter> in_lattice(std::vector<Parameter> own) {
 }
 
 template <CellBody make_body(const Values&)>
-Generator generator(const char* name, const char* meaning, std::vector<Parameter> own,
+Generator generator(const char* name, const char* meaning, const std::vector<Parameter>& own,
                     const char* volume_text) {
   return {.name = name,
           .meaning = meaning,
-          .parameters = std::move(own),
+          .parameters = own,
           .volume_text = volume_text,
           .make = make<make_body>,
           .volume = volume_of<make_body>};

@@ -61,7 +61,8 @@ struct Section {
 
 Section section(const Values& values) {
   const int digits = static_cast<int>(values["naca"]);
-  const Section section{.m = digits / 1000 / 100.0, .p = digits / 100 % 10 / 10.0, .t = digits % 100 / 100.0};
+  const int m = digits / 1000, p = digits / 100 % 10, t = digits % 100;
+  const Section section{.m = m / 100.0, .p = p / 10.0, .t = t / 100.0};
   if (section.t < 0.01 || section.t > 0.5)
     values.refuse("naca: expected a thickness (last two digits) of 01 to 50");
   if (section.m > 0 && section.p == 0)

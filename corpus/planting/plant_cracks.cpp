@@ -102,7 +102,8 @@ bool opened(Site& s) {
 bool opened_at_one_vertex(Site& s) {
   if (!along_plane(s)) return false;
   const auto old = static_cast<int>(s.parts.mesh.points.size()), all = static_cast<int>(s.mesh.points.size());
-  Point& p = s.mesh.points[static_cast<std::size_t>(old + s.random.below(all - old))];
+  const int copy = old + s.random.below(all - old);
+  Point& p = s.mesh.points[static_cast<std::size_t>(copy)];
   p += 1e-3 * s.parts.diagonal * s.direction();
   return true;
 }

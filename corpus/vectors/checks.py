@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the vectors themselves, in rational arithmetic: rows tile the inside part, pieces fill their tetrahedron, clusters do not
 overlap, equations hold. The checks do not use the way in which the vectors were made."""
+import math
 from fractions import Fraction
 from itertools import combinations
 
+LEAST_CELLS = 4  # the cells that every side gets at least (reading D1)
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))
 
 
@@ -225,10 +227,202 @@ def curvature(case):
         yield "the triangles are not consistently oriented"
 
 
+def lattice(case):
+    """The vertices are solved for their position in the box, which must be that of their numbers."""
+    given, e = case["input"], case["expected"]
+    used = [exact(given["vertices"][v]) for t in given["triangles"] for v in t]
+    low, high = exact(e["box"][0]), exact(e["box"][1])
+    sides = [max(p[x] for p in used) - min(p[x] for p in used) for x in range(3)]
+    slack = Fraction(case["tolerance"]["absolute"])
+    for x in range(3):
+        if abs(min(p[x] for p in used) + max(p[x] for p in used) - low[x] - high[x]) > slack or abs(high[x] - low[x] - sides[x] * Fraction(given["box_scale"])) > slack:
+            yield "the box of eq. (2.1) is the surface's, scaled about its centre"
+        cells = e["cells"][x]
+        if len(given["cells"]) == 3 and cells != given["cells"][x]:
+            yield "the numbers of cells were given"
+        wanted = given["cells"][0] * sides[x] / max(sides)
+        least = min(LEAST_CELLS, given["cells"][0])
+        if len(given["cells"]) == 1 and not (cells - Fraction(1, 2) <= wanted < cells + Fraction(1, 2) or (cells == least and wanted < least)):
+            yield "one number of cells: the cells come closest to cubes"
+        for at, p in zip(given["at"], e["points"]):
+            if abs((Fraction(p[x]) - low[x]) * cells - (high[x] - low[x]) * at[x]) > slack * cells:
+                yield f"eq. (2.1) does not hold at {at}"
+
+
+def winding_number(triangles, p):
+    """How often the surface surrounds p: the sum of the triangles' solid angles, in doubles. Only the determinants, which decide the
+    signs, are exact."""
+    total = 0.0
+    for t in triangles:
+        a, b, c = (sub(v, p) for v in t)
+        la, lb, lc = (math.sqrt(dot(v, v)) for v in (a, b, c))
+        denominator = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
+        total += 2 * math.atan2(dot(a, cross(b, c)), denominator)
+    return round(total / (4 * math.pi))
+
+
+def on_triangle(t, p):
+    """By barycentric coordinates."""
+    u, v, w = sub(t[1], t[0]), sub(t[2], t[0]), sub(p, t[0])
+    n = cross(u, v)
+    if dot(w, n) != 0:
+        return False
+    b, c, whole = dot(cross(w, v), n), dot(cross(u, w), n), dot(n, n)
+    return b >= 0 and c >= 0 and b + c <= whole
+
+
+def surface_of(given):
+    place = [exact(p) for p in given["vertices"]]
+    return [[place[v] for v in t] for t in given["triangles"]]
+
+
+def indicators(case):
+    given, scale = case["input"], 2**48
+    whole = lambda p: tuple(int(x * scale) for x in exact(p))  # integers are faster than fractions
+    triangles = [[whole(given["vertices"][v]) for v in t] for t in given["triangles"]]
+    edges = [(t[k], t[(k + 1) % 3]) for t in given["triangles"] for k in range(3)]
+    if len(set(edges)) != len(edges) or {(b, a) for a, b in edges} != set(edges):
+        yield "the surface is not closed"
+    for p, found in zip(given["points"], case["expected"]["indicators"]):
+        on = any(on_triangle(t, whole(p)) for t in triangles)
+        if exact(p) != tuple(Fraction(x, scale) for x in whole(p)):
+            yield f"{p}: more digits than this check allows"
+        elif on != (found == 0):
+            yield f"{p}: 0 exactly on the surface"
+        elif not on and (winding_number(triangles, whole(p)) != 0) != ((found > 0) == (given["region"] == "inside")):
+            yield f"{p}: the surface surrounds the points inside, and no others"
+
+
+def points_of_edge(p, q, triangles):
+    """The parameters, within the open edge from p to q, where the edge begins or ends to lie on the surface. All points are exact."""
+    d, found = sub(q, p), set()
+    for t in triangles:  # where the edge enters or leaves this triangle, by the signs of the three areas
+        u, v = sub(t[1], t[0]), sub(t[2], t[0])
+        n = cross(u, v)
+
+        def coordinates(x):
+            w = sub(x, t[0])
+            b, c = dot(cross(w, v), n), dot(cross(u, w), n)
+            return dot(n, n) - b - c, b, c, dot(w, n)
+
+        for a, b in zip(coordinates(p), coordinates(q)):
+            if a != b and 0 <= Fraction(a) / (a - b) <= 1:
+                s = Fraction(a) / (a - b)
+                if on_triangle(t, tuple(x + s * y for x, y in zip(p, d))):
+                    found.add(s)
+    spots = sorted(found | {Fraction(0), Fraction(1)})
+    middle = [any(on_triangle(t, tuple(x + (a + b) / 2 * y for x, y in zip(p, d))) for t in triangles) for a, b in zip(spots, spots[1:])]
+    return [s for k, s in enumerate(spots[1:-1]) if not (middle[k] and middle[k + 1])]
+
+
+def edge_points(case):
+    """Between two points, the edge is on the surface altogether or nowhere."""
+    given, e, triangles = case["input"], case["expected"], surface_of(case["input"])
+    p, q = map(exact, given["edge"])
+    d = sub(q, p)
+    at = [Fraction(dot(sub(exact(x), p), d)) / dot(d, d) for x in e["points"]]
+    if e["count"] != len(at) or at != sorted(set(at)) or any(not 0 < s < 1 for s in at):
+        yield "distinct points of the open edge, in its order"
+    right = points_of_edge(p, q, triangles)
+    if len(right) != len(at) or any(abs(a - b) > Fraction(1, 10**12) for a, b in zip(at, right)):
+        yield "the points are the ends of what the edge has in common with the surface"
+
+
+def closest_point(case):
+    """The closest of the points where the distance is stationary: by least squares in each triangle, along each side, and the corners."""
+    given, e, triangles = case["input"], case["expected"], surface_of(case["input"])
+    p, found, slack = exact(given["point"]), exact(e["point"]), Fraction(1, 10**9)
+    square = dot(sub(found, p), sub(found, p))
+    if abs(square - Fraction(e["distance"]) ** 2) > slack:
+        yield "the distance is that of the point"
+    least = None
+    for t in triangles:
+        u, v, w = sub(t[1], t[0]), sub(t[2], t[0]), sub(p, t[0])
+        a, b, c, d, f = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
+        spots = [(Fraction(c * d - b * f) / (a * c - b * b), Fraction(a * f - b * d) / (a * c - b * b))]  # least squares
+        for x in (Fraction(d) / a, Fraction(0), Fraction(1)):
+            spots.append((x, Fraction(0)))
+        spots += [(Fraction(0), Fraction(f) / c), (Fraction(0), Fraction(1))]
+        s = Fraction(a - b + f - d) / (a - 2 * b + c)  # along the third side
+        spots.append((1 - s, s))
+        for x, y in spots:
+            if x >= 0 and y >= 0 and x + y <= 1:
+                at = tuple(o + x * i + y * j for o, i, j in zip(t[0], u, v))
+                here = (dot(sub(at, p), sub(at, p)), at)
+                least = here if least is None or here < least else least
+    if abs(least[0] - square) > slack or any(abs(x - y) > slack for x, y in zip(least[1], found)):
+        yield "another point of the surface is closer, or as close and lexicographically smaller"
+
+
+def tangent_and_ratio(corners):
+    """tan(Omega/2) of the smallest solid angle after van Oosterom and Strackee, and D/A, in doubles."""
+    angles, areas = [], []
+    six = float(abs(volume(*corners) * 6))
+    for k in range(4):
+        a, b, c = (sub(corners[x], corners[k]) for x in range(4) if x != k)
+        la, lb, lc = (math.sqrt(dot(v, v)) for v in (a, b, c))
+        angles.append(math.atan2(six, la * lb * lc + float(dot(a, b)) * lc + float(dot(a, c)) * lb + float(dot(b, c)) * la))  # halved
+        n = cross(sub(b, a), sub(c, a))
+        areas.append(math.sqrt(dot(n, n)) / 2)
+    return math.tan(min(angles)), six / 2 / max(areas) ** 2, six / 2 / max(areas) ** 1.5
+
+
+def quality(case):
+    e = case["expected"]
+    corners = [exact(p) for p in case["input"]["points"]]
+    tangent, ratio, plain = tangent_and_ratio(corners)
+    right = {"tangent": tangent, "solid_angle": math.atan(tangent) / (2 * math.pi), "d_over_a": ratio, "d_over_sqrt_a": plain}
+    if volume(*corners) <= 0:
+        yield "the tetrahedron is not positive"
+    for key, value in right.items():
+        if abs(e[key] - value) > 1e-11 * abs(value):
+            yield f"{key} is not {value}"
+
+
+def flips(case):
+    """The new tetrahedra fill the place of the old ones: the same boundary, the same volume. No other exchange that does gains more."""
+    given, e = case["input"], case["expected"]
+    points, tets = [exact(p) for p in given["points"]], given["tetrahedra"]
+    place = lambda t: [points[v] for v in t]
+    of = lambda t: tangent_and_ratio(place(t))[0 if given["criterion"] == "solid-angle" else 1]
+    if any(volume(*place(t)) <= 0 for t in tets):
+        yield "a tetrahedron is not positive"
+    gains = []
+    for size in (2, 3):
+        for old in combinations(given["set"], size):
+            hull = sorted(set().union(*(tets[t] for t in old)))
+            outer = boundary([tets[t] for t in old])
+            if len(hull) != 5 or outer is None or len(outer) != 6:
+                continue
+            common = [v for v in hull if all(v in tets[t] for t in old)]
+            new = [[v for v in hull if v != c] for c in common]
+            new = [t if volume(*place(t)) > 0 else [t[0], t[1], t[3], t[2]] for t in new]
+            if any(volume(*place(t)) <= 0 for t in new) or sorted(boundary(new) or []) != sorted(outer):
+                continue
+            if sum(volume(*place(t)) for t in new) == sum(volume(*place(tets[t])) for t in old):
+                before, after = min(of(tets[t]) for t in old), min(map(of, new))
+                gains.append((after - before, old, sorted(map(sorted, new)), before, after))
+    best = max((g[0] for g in gains), default=0.0)
+    if e["flip"] is None:
+        if best > 1e-12 or e["tetrahedra"]:
+            yield "a flip gains, and none is made"
+        return
+    mine = [g for g in gains if g[2] == sorted(map(sorted, e["tetrahedra"]))]
+    if not mine or mine[0][0] <= 0 or mine[0][0] < best - 1e-12:
+        yield "the flip is not possible, or another one gains more"
+        return
+    if any(volume(*place(t)) <= 0 for t in e["tetrahedra"]):
+        yield "a new tetrahedron is not positive"
+    shown = lambda q: math.atan(q) / (2 * math.pi) if given["criterion"] == "solid-angle" else q
+    if any(abs(a - shown(b)) > 1e-11 for a, b in zip(e["flip"]["quality"], mine[0][3:])):
+        yield "the qualities are wrong"
+
+
 def faults(kind, content):
     """Everything that is wrong with a file, one line for each fault."""
     checks = {"table1": table1, "table2": table2, "table3": table3, "table4": table4, "volume_law": volume_law, "weights": weights,
-              "choice": choice, "curvature_weight": curvature_weight, "curvature": curvature}
+              "choice": choice, "curvature_weight": curvature_weight, "curvature": curvature, "lattice": lattice, "indicators": indicators,
+              "edge_points": edge_points, "closest_point": closest_point, "quality": quality, "flips": flips}
     if kind not in checks:
         yield f"{kind}: unknown kind"
         return

@@ -120,7 +120,20 @@ def pieces(expected, found, tolerance, where, given):
     if not isinstance(found, list) or not all(isinstance(t, list) and len(t) == 4 and all(type(v) is int for v in t) for t in found):
         raise Different(f"{where}: expected a list of tetrahedra, each of four numbers")
     if sorted(map(oriented, expected)) != sorted(map(oriented, found)):
-        raise Different(f"{where}: expected {expected}, found {found} (up to even permutations; the new point is {len(given['points'])})")
+        raise Different(f"{where}: expected {expected}, found {found} (up to even permutations; a new point has the number {len(given['points'])})")
+
+
+def flip(expected, found, tolerance, where, _=None):
+    """The flip must be the expected one: its kind, the points of its face and edge in any order, and its qualities."""
+    if expected is None or found is None:
+        same(expected, found, tolerance, where)
+        return
+    if not isinstance(found, dict) or not {"kind", "face", "edge", "quality"} <= set(found):
+        raise Different(f'{where}: expected {{"kind", "face", "edge", "quality"}}, found {found!r:.100}')
+    same(expected["kind"], found["kind"], {}, where + ".kind")
+    ordered(expected["face"], found["face"], {}, where + ".face")
+    ordered(expected["edge"], found["edge"], {}, where + ".edge")
+    same(expected["quality"], found["quality"], tolerance, where + ".quality")
 
 
 COMPARE = {
@@ -130,4 +143,6 @@ COMPARE = {
     ("table3", "applied"): counts,
     ("table4", "replaced"): ordered,
     ("table4", "pieces"): pieces,
+    ("flips", "flip"): flip,
+    ("flips", "tetrahedra"): pieces,
 }

@@ -31,6 +31,8 @@ def read_files(folder, kinds):
     """The vector files, by kind."""
     files = {}
     for path in sorted(pathlib.Path(folder).glob("*.json")):
+        if path.name.endswith(".schema.json"):
+            continue
         try:
             content = json.loads(path.read_text())
         except (OSError, ValueError) as error:

@@ -14,6 +14,7 @@ void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
   const auto start = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t first = (start + page - 1) / page * page, last = (start + bytes) / page * page;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up to a page, it is the same memory
   if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
 }

@@ -186,7 +186,15 @@ Document document_of(const TetMesh& mesh) {
 }
 
 Document document_of(const TriangleSurface& surface) {
-  return document_of_elements(surface.vertices, surface.triangles, io::triangle3, 2);
+  Document document = document_of_elements(surface.vertices, surface.triangles, io::triangle3, 2);
+  if (surface.parameters.empty()) return document;
+  Values& texture = document.element_node_values.emplace_back();
+  texture.name = "texture";
+  texture.components = 2;
+  texture.nodes.assign(surface.triangles.size(), 3);
+  for (const auto& corners : surface.parameters)
+    for (const Eigen::Vector2d& uv : corners) texture.reals.insert(texture.reals.end(), {uv[0], uv[1]});
+  return document;
 }
 
 }  // namespace tetproof

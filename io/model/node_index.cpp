@@ -82,6 +82,7 @@ Index NodeIndex::unknown(std::int64_t tag) {
 
 void NodeIndex::repeated(Index first, Index again) {
   const Eigen::Vector3d &a = document_.points[first], &b = document_.points[again];
+  // The bits count: NaN equals itself, and -0 is not 0. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   if (std::memcmp(a.data(), b.data(), sizeof(double) * 3) != 0)
     throw InputError(
         fmt::format("{}: node {} is given twice with different coordinates: ({}, {}, {}) and ({}, {}, {})",

@@ -144,7 +144,8 @@ class Reader {
       } else if (statement == "v") {
         ++points_.points_above;
         skip_statement(scanner);
-      } else if (surface_) {
+      } else if (surface_) {  // NOLINT(bugprone-branch-clone): what a surface does not need comes before the
+                              // rest
         skip_statement(scanner);
       } else if (statement == "vt" || statement == "vn") {
         ++(statement == "vt" ? points_.texture : points_.normal).above;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "corpus/surfaces.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/describe.hpp"
@@ -24,17 +25,27 @@ struct Choices {
   bool ascii = false, binary = false, strict = false, info = false;
 };
 
+// Reads the file, or makes the surface of a specification.
+Document input(const Choices& choices) {
+  if (!corpus::is_generated(choices.in)) return read_document(choices.in, choices.read);
+  if (!choices.read.format.empty()) throw InputError("--from needs an IN that is a file");
+  Document document = document_of(corpus::make_surface(choices.in));
+  document.path = choices.in;
+  document.format = "generated";
+  return document;
+}
+
 int convert(const Choices& choices, const program::Common& common) {
   if (choices.out.empty() && !choices.info) throw InputError("OUT is missing (or ask for --info)");
   if (!choices.out.empty() && choices.info) throw InputError("--info writes no file: leave out OUT");
   WriteOptions write = choices.write;
   if (choices.ascii || choices.binary) write.binary = choices.binary;
   program::FilesInUse files(common);
-  files.reads_mesh("IN", choices.in, choices.read);
+  if (!corpus::is_generated(choices.in)) files.reads_mesh("IN", choices.in, choices.read);
   files.writes_mesh("OUT", choices.out, write);
   files.writes("--losses", choices.losses_file);
 
-  const Document document = read_document(choices.in, choices.read);
+  const Document document = input(choices);
   program::report_reading(common, document.warnings, document.dropped);
   Json result{{"input", describe_json(document)}, {"dropped", program::losses_json(document.dropped)}};
   if (choices.info) {
@@ -83,14 +94,19 @@ int main(int argc, char** argv) {
            "  tetproof-convert grid.msh old.msh --to msh22\n"
            "  tetproof-convert grid.msh grid.vtu --strict       exit 1 and no file if anything is lost\n"
            "  tetproof-convert --info grid.msh\n"
+           "  tetproof-convert torus:R=1,r=0.4 torus.obj        a generated surface; OBJ holds its (u,v), "
+           "too\n"
            "  tetproof-convert part.step part.msh               a format that only Gmsh reads; geometry is "
            "meshed\n"
            "  zcat grid.vtk.gz | tetproof-convert - grid.msh    from standard input\n",
        .libraries = {}},
       [&](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto choices = std::make_shared<Choices>();
-        app.add_option("IN", choices->in,
-                       "a mesh or a surface; - is standard input. Endings: " + program::endings_read())
+        app.add_option(
+               "IN", choices->in,
+               "a mesh or a surface, or a generated surface (tetproof-mesh --list-surfaces); - is standard "
+               "input. Endings: " +
+                   program::endings_read())
             ->required();
         app.add_option("OUT", choices->out,
                        fmt::format("the file to write, in the format that its ending says; never IN itself. "

@@ -38,6 +38,7 @@ void describe(R& r, Fields& field) {
     field("points", r.points), field("tets", r.tets), field("mean_volume", r.mean_volume);
     field("v0", r.v0), field("v1", r.v1), field("d1", r.d1);
     field("kappa_min", r.kappa_min), field("kappa_max", r.kappa_max), field("e_avg", r.e_avg);
+    field("e_avg_goal", r.e_avg_goal);
   } else if constexpr (std::is_same_v<T, Weight>) {
     field("tet", r.tet), field("d", r.d), field("kappa", r.kappa), field("omega", r.omega);
     field("volume", r.volume), field("desired", r.desired), field("error", r.error);

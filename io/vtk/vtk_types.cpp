@@ -32,9 +32,11 @@ void append_numbers(const char* from, std::size_t count, std::endian order, Colu
     const auto append = [&](auto& to) {
       const std::size_t start = to.size();
       to.resize(start + count);
-      for (std::size_t i = 0; i < count; ++i)
-        to[start + i] =
-            static_cast<std::remove_reference_t<decltype(to[0])>>(load<T>(from + i * sizeof(T), order));
+      using Number = std::remove_reference_t<decltype(to[0])>;
+      for (std::size_t i = 0; i < count; ++i) {
+        const T number = load<T>(from + i * sizeof(T), order);
+        to[start + i] = static_cast<Number>(number);  // NOLINT(bugprone-signed-char-misuse): it is a number
+      }
     };
     if constexpr (std::is_floating_point_v<T>)
       append(column.reals);

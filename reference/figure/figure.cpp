@@ -12,7 +12,7 @@
 
 #include "io/error.hpp"
 #include "reference/engine/adaptation/improve.hpp"
-#include "reference/engine/adaptation/weights.hpp"
+#include "reference/equations.hpp"
 
 namespace tetproof::reference {
 namespace {

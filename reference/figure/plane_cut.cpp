@@ -96,7 +96,8 @@ PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& p
   for (std::size_t i = 0; i < in_plane.size(); ++i) {
     const auto& [face, side, tet] = in_plane[i];
     if (i > 0 && in_plane[i - 1].face == face) continue;
-    result.polygons.push_back({tet, 3, {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]], Vector3d::Zero()}});
+    result.polygons.push_back(
+        {tet, 3, {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]], Vector3d::Zero()}});
   }
 
   const Sides surface_sides(surface.vertices, plane);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first half of following a trace: its settings, and its first grid with the weights of step (v). Not
-// installed.
+// The second part of following a trace: its first grid with the weights of step (v). Not installed.
 #pragma once
 
 #include <map>
@@ -13,18 +12,20 @@
 
 namespace tetproof::reference {
 
-/// The content of a trace up to its first decision of step (vi).
+/// The records of step (v) of a trace, with their lines.
 struct TraceStart {
   trace::FirstGrid first_grid;
+  std::int64_t first_grid_line = 0;
   std::vector<trace::Weight> weights;
+  std::vector<std::int64_t> lines;  ///< of the weights
   /// The position in `weights` for each tetrahedron, by the sorted numbers of its points. Filled by `adopt`.
   std::map<Corners, std::size_t> named;
-  std::optional<trace::Record> next;  ///< the first record of step (vi)
 };
 
-/// Reads the start of a trace. Throws Divergence if its settings are not those of our run, InputError if it
-/// has no step (v).
-TraceStart read_start(trace::Reader& reader, const trace::Settings& ours);
+/// Reads step (v) of a trace; `next` is its first record there, and afterwards the
+/// first record of step (vi). Throws InputError if it has no step (v), and
+/// Divergence if it has two `first_grid` records, or records of an earlier step.
+TraceStart read_start(trace::Reader& reader, std::optional<trace::Record>& next);
 
 /// Our first grid with the coordinates of the trace. Throws Divergence if its tetrahedra are not those of the
 /// trace.

@@ -58,6 +58,14 @@ Flip checked_flip(Replay& replay, const trace::Flip& theirs, const std::vector<I
         fmt::format("{}the {} flip of face {} and edge {} takes the smallest quality from {:.6g} to "
                     "{:.6g}; {}",
                     name, kind, text(theirs.face), text(theirs.edge), same->before, same->after, ours)};
+  const auto stated = [&](double theirs_is, double ours_is, const char* when) {
+    const double shown = criterion == Criterion::solid_angle ? solid_angle_of(ours_is) : ours_is;
+    if (std::abs(theirs_is - shown) > agree * std::abs(shown) + slack)
+      throw Divergence{fmt::format("{}the smallest quality {} the {} flip is {:.12g}, not {:.12g}", name,
+                                   when, kind, shown, theirs_is)};
+  };
+  stated(theirs.quality_before, same->before, "before");
+  stated(theirs.quality_after, same->after, "after");
   if (!best || best->vertices() != same->vertices()) ++replay.outcome.ties;
   return *same;
 }

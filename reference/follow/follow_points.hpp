@@ -3,6 +3,7 @@
 // installed.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -20,6 +21,7 @@ inline constexpr double same_place = 1e-9;
 /// Thrown at the first decision that is not admissible; ends the following.
 struct Divergence {
   std::string what;
+  std::int64_t line = 0;  ///< of the trace; 0: the line of the record read last
 };
 
 bool close(double a, double b);  ///< whether two numbers are equal up to `agree`

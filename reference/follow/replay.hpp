@@ -15,7 +15,7 @@ namespace tetproof::reference {
 /// Our own run, kept in step with the trace.
 struct Replay {
   const AdaptOptions& options;
-  trace::Reader reader;
+  trace::Reader& reader;
   TracePoints points;
   Follow& outcome;
   std::optional<trace::Record> record;  ///< the next record of the trace; none: the file has ended

@@ -11,16 +11,17 @@
 
 #include "corpus/surfaces.hpp"
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/files_in_use.hpp"
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
 #include "io/program/report_losses.hpp"
+#include "io/surface/used_vertices.hpp"
 #include "reference/program/mesh_options.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
-#include "reference/trace/trace_records.hpp"
 #include "verify/reports/report_json.hpp"
 #include "verify/surface.hpp"
 #include "verify/verify.hpp"
@@ -111,7 +112,8 @@ verify::JudgedSurface judge(const TriangleSurface& surface, const std::string& n
                             const program::Common& common) {
   verify::JudgedSurface judged(surface);
   if (!judged.report().fault.empty()) throw InputError(name + ": " + judged.report().fault);
-  for (const std::string& note : judged.report().notes) program::say(common, name + ": " + note);
+  for (const std::string& note : judged.report().notes)
+    program::say(common, fmt::format("{}: {}", name, note));
   return judged;
 }
 
@@ -126,6 +128,16 @@ TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, cons
   if (surface.evaluate && !fewer.evaluate) text += "; its parametric definition is not followed";
   program::say(common, text);
   return fewer;
+}
+
+// The surface without vertices that no triangle names, and says how many there are.
+TriangleSurface used_part(TriangleSurface surface, const Arguments& a, const program::Common& common) {
+  std::optional<TriangleSurface> used = io::without_unused_vertices(surface);
+  if (!used) return surface;
+  const auto left_out = surface.vertices.size() - used->vertices.size();
+  program::say(common, fmt::format("{}: without {} that no triangle names", a.surface,
+                                   io::counted(left_out, "vertices")));
+  return std::move(*used);
 }
 
 std::string figure_of(const TetMesh& mesh, const TriangleSurface& surface, const reference::Plane& plane,
@@ -150,6 +162,7 @@ program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, cons
     program::check_holds_tetrahedra(a.grid);
   }
   files.writes_mesh("-o", a.grid, write);
+  files.writes_mesh("--save-surface", a.save_surface, {});
   files.writes("--trace", a.trace);
   files.writes("--figure", a.figure);
   return files;
@@ -164,13 +177,22 @@ void write_grid(const TetMesh& grid, const Arguments& a, const WriteOptions& wri
   json["kept_aside"] = program::losses_json(output.kept_aside().items);
 }
 
+// Writes the surface as it is used, with its (u,v) if it has them and the format holds them.
+void save_surface(const TriangleSurface& surface, const Arguments& a, program::FilesInUse& files,
+                  const program::Common& common) {
+  if (a.save_surface.empty()) return;
+  const Document document = document_of(surface);
+  program::MeshOutput(common, files, "--save-surface", a.save_surface, document).write();
+}
+
 int mesh(const Arguments& a, const program::Common& common) {
   if (a.list_surfaces) {
     fmt::print("{}", corpus::list_surfaces());
     return program::sound;
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
-  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty())
+  if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty() &&
+      a.save_surface.empty())
     throw InputError("expected -o GRID (see tetproof-mesh --help)");
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
@@ -188,7 +210,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   enter("reading");
   SurfaceFile file = corpus::open_surface_file(a.surface, a.read);
   program::report_reading(common, file.warnings, file.dropped);
-  TriangleSurface surface = std::move(file.surface);
+  TriangleSurface surface = used_part(std::move(file.surface), a, common);
   const std::size_t triangles_read = surface.triangles.size();
   enter("judging the surface");
   std::optional<verify::JudgedSurface> judged_surface(judge(surface, a.surface, common));
@@ -197,15 +219,25 @@ int mesh(const Arguments& a, const program::Common& common) {
     surface = reduced(surface, a, common);
     judged_surface.emplace(judge(surface, a.surface + ", reduced", common));
   }
+  save_surface(surface, a, files, common);
   const verify::SurfaceReport& judged = judged_surface->report();
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
-  TraceOutput trace(a.trace, a.surface, settings_of(options, surface));
+  TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
   const reference::Generation made = generate(surface, options);
-  if (made.mesh().tets.empty())
+  const bool empty = made.mesh().tets.empty();
+  const int cells = *std::max_element(made.lattice.cells.begin(), made.lattice.cells.end());
+  if (empty)
+    program::say(
+        common,
+        fmt::format("the grid is empty: the surface is thinner than the lattice of {} cells everywhere; "
+                    "use more --cells",
+                    cells));
+  else if (options.raise_cells && cells > reference::Options().cells[0])
     program::say(common,
-                 "the grid is empty: the surface is thinner than the lattice everywhere; use more --cells");
+                 fmt::format("the grid with {} cells is empty, because the surface is thin: {} are taken",
+                             reference::Options().cells[0], cells));
 
   enter("verification");
   verify::Unjudged unjudged;
@@ -242,8 +274,9 @@ int mesh(const Arguments& a, const program::Common& common) {
     }
   if (!common.json.empty()) program::write_json(common.json, json);
   const bool admissible = !made.follow || made.follow->admissible;
-  if (verify::defective(report) || !admissible) return program::wrong;
-  return verify::sound(report) ? program::sound : program::incomplete;
+  if (verify::defective(report) || !admissible || empty) return program::wrong;
+  const bool all_checked = !made.follow || made.follow->not_checked.empty();
+  return verify::sound(report) && all_checked ? program::sound : program::incomplete;
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ std::int64_t parse_points(std::string_view text) {
 
 void declare_options(CLI::App& app, Arguments& a) {
   const std::map<std::string, Region> regions{{"inside", Region::inside}, {"outside", Region::outside}};
+  const std::map<std::string, Engine> engines{{"paper", Engine::paper}, {"fast", Engine::fast}};
   const std::map<std::string, Diagonals> diagonals{{"lowest", Diagonals::lowest},
                                                    {"shortest", Diagonals::shortest}};
   app.add_option("SURFACE", a.surface,
@@ -144,11 +145,28 @@ void declare_options(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(4, std::numeric_limits<int>::max()))
       ->type_name("N")
       ->option_text("N");
+  app.add_option(
+         "--save-surface", a.save_surface,
+         "write the surface as used: generated, reduced or read; .obj holds its (u,v), too. Endings: " +
+             fmt::format("{}", fmt::join(known_endings(), " ")))
+      ->type_name("FILE")
+      ->always_capture_default(false);
+  app.add_option(
+         "--engine", a.options.engine,
+         "fast; or paper: the method as the paper's text has it, by brute force, with the same decisions")
+      ->transform(CLI::CheckedTransformer(engines))
+      ->option_text("paper|fast [fast]");
   app.add_option("--region", a.options.region, "fill the inside, or the outside up to the scaled box")
       ->transform(CLI::CheckedTransformer(regions))
       ->option_text("inside|outside [inside]");
-  app.add_option("--cells", a.cells, "lattice cells along the longest side, or along each")
-      ->type_name("N|NX,NY,NZ");
+  app.add_option(
+         "--cells", a.cells,
+         fmt::format(
+             "lattice cells along the longest side, or along each; if not given, 24, or twice as many "
+             "up to {} until the grid of a thin surface is not empty",
+             Options::most_cells))
+      ->type_name("N|NX,NY,NZ")
+      ->always_capture_default(false);
   app.add_option("--box-scale", a.options.box_scale,
                  "the size of the lattice's box over that of the surface's box, more than 1")
       ->type_name("S");
@@ -161,9 +179,10 @@ void declare_options(CLI::App& app, Arguments& a) {
                  "which diagonal cuts a quadrilateral that two tetrahedra share")
       ->transform(CLI::CheckedTransformer(diagonals))
       ->option_text("lowest|shortest [lowest]");
-  app.add_flag(
-      "--literal", a.options.literal,
-      "as printed in the paper: case 5 always kept, --on-surface 0, rounding reported and not mended");
+  app.add_flag("--literal", a.options.literal,
+               "as printed in the paper: case 5 always kept, --on-surface 0, rounding reported and not "
+               "mended, a mean over L+3 "
+               "tetrahedra in eq. (3.5)");
   declare_adaptation(app, a);
   declare_figure(app, a);
   app.add_option(
@@ -180,7 +199,8 @@ void declare_options(CLI::App& app, Arguments& a) {
 
 Options generate_options(const Arguments& a) {
   Options options = a.options;
-  options.cells = parse_cells(a.cells);
+  options.raise_cells = a.cells.empty();
+  if (!a.cells.empty()) options.cells = parse_cells(a.cells);
   AdaptOptions adapt = a.adapt;
   adapt.points = parse_points(a.points);
   adapt.v0 = parse_volume("--v0", a.v0);

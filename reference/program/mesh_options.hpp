@@ -11,9 +11,9 @@
 
 namespace tetproof::reference {
 
-/// The command line's arguments.
+/// The command line's arguments. Empty `cells`: the default, raised where the grid would be empty.
 struct Arguments {
-  std::string surface, grid, trace, cells = "24", points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
+  std::string surface, grid, trace, cells, points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
   std::string figure, plane = "x";
   ReadOptions read;  ///< of the surface
   FigureColour colour = FigureColour::volume;
@@ -22,6 +22,7 @@ struct Arguments {
   int voxels = 128;
   int reduce = 0;  ///< triangles; 0: the surface as it is
   bool list_surfaces = false, timings = false, ascii = false, binary = false;
+  std::string save_surface;  ///< a path; empty: the surface is not written
 };
 
 /// Adds all options to `app`, which fills `a`.

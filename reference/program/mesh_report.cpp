@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/bytes/words.hpp"
+
 namespace tetproof::reference {
 namespace {
 
@@ -61,14 +63,15 @@ std::string adaptation_text(const Adaptation& a) {
                                : a.stopped == Stop::e_avg  ? "the requested E_avg is reached"
                                                            : "the trace's next decision is not admissible";
   std::string text = fmt::format(
-      "adapted: {} points inserted, {} flips; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
+      "adapted: {} inserted, {}; E_avg {:.4g} -> {:.4g} of the first grid's mean volume\n"
       "  stopped: {}: {}\n",
-      a.insertions, a.flips, a.e_avg_first / a.mean_volume, a.e_avg_last / a.mean_volume, name_of(a.stopped),
-      why);
+      io::counted(a.insertions, "points"), io::counted(a.flips, "flips"), a.e_avg_first / a.mean_volume,
+      a.e_avg_last / a.mean_volume, name_of(a.stopped), why);
   text += fmt::format("  smallest D/A {:.4g} per length, D/sqrt(A) {:.4g}\n", a.smallest_aspect_ratio,
                       a.smallest_d_over_sqrt_a);
   if (a.refused)
-    text += fmt::format("  {} splits refused: rounding would have flattened a piece (D18)\n", a.refused);
+    text += fmt::format("  {} refused: rounding would have flattened a piece (D18)\n",
+                        io::counted(a.refused, "splits"));
   if (a.left)
     text += fmt::format(
         "  {} new points not moved to the parametric surface, because the boundary would cross itself "
@@ -108,12 +111,15 @@ std::string generation_text(const Generation& made) {
     text +=
         fmt::format("grid: {} tetrahedra, {} points\n", made.mesh().tets.size(), made.mesh().points.size());
   }
-  if (made.follow)
+  if (made.follow) {
+    for (const std::string& what : made.follow->not_checked)
+      text += fmt::format("not checked: the trace has no records of its {}\n", what);
     text +=
         made.follow->admissible
             ? fmt::format("every decision of the trace is admissible, {} of them by a tie\n",
                           made.follow->ties)
             : fmt::format("not admissible, line {} of the trace: {}\n", made.follow->line, made.follow->what);
+  }
   return text;
 }
 
@@ -142,7 +148,8 @@ void add_generation(Json& json, const std::string& surface_name, const verify::S
     json["follow"] = {{"admissible", made.follow->admissible},
                       {"line", made.follow->line},
                       {"what", made.follow->what},
-                      {"ties", made.follow->ties}};
+                      {"ties", made.follow->ties},
+                      {"not_checked", made.follow->not_checked}};
 }
 
 }  // namespace tetproof::reference

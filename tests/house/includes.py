@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks who includes whom: the folders' rule, and that the rooms of a folder do not include each other in a circle.
+"""Checks who includes whom: the folders' rule, the page's rule, and that no rooms of a folder form a circle.
 
 usage: includes.py [--root FOLDER] [--graph] [--self-test]
   --graph       also prints which room includes which
@@ -19,11 +19,14 @@ import tempfile
 
 # Each folder's libraries may include only these folders besides their own. Programs (FOLDER/program/) may include all.
 MAY_INCLUDE = {"io": set(), "reference": {"io"}, "verify": {"io"}, "corpus": {"io", "verify"}}
+# The page stands beside the paper alone: these files and folders of the project, these libraries, and the standard library.
+PAGE, ENGINE = "reference/paper/", "reference/engine/"
+PAGE_MAY_INCLUDE = (PAGE, "io/", "reference/tables.hpp", "reference/equations.hpp", "reference/options.hpp", "reference/trace/")
+PAGE_LIBRARIES = ("Eigen/", "boost/multiprecision/")
 # Known debts: an include that closes a circle between rooms, to be removed. An entry that no longer exists is a breach.
-DEBTS = {
-    ("reference/trace", "reference/generate.hpp"),
-}
+DEBTS = set()
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
+LIBRARY = re.compile(r"^\s*#\s*include\s*<([^>]+)>", re.M)
 
 
 def room(path):
@@ -57,6 +60,18 @@ def circles(graph):
     return found
 
 
+def breaches_of_the_page(name, targets, libraries):
+    """The breaches of a file: the page and the engine stay strangers, and the page needs little else."""
+    if name.startswith(ENGINE):
+        return [f"{name}: includes {target}, but the engine must not know the page" for target in targets if target.startswith(PAGE)]
+    if not name.startswith(PAGE):
+        return []
+    breaches = [f"{name}: includes {target}, but the page may include {', '.join(PAGE_MAY_INCLUDE)} only"
+                for target in targets if not target.startswith(PAGE_MAY_INCLUDE)]
+    return breaches + [f"{name}: includes <{library}>, but the page may use {', '.join(PAGE_LIBRARIES)} and the standard library only"
+                       for library in libraries if ("/" in library or "." in library) and not library.startswith(PAGE_LIBRARIES)]
+
+
 def breaches_of(root, debts, show_graph=False):
     """Every breach below `root`, one text each."""
     breaches = []
@@ -67,7 +82,9 @@ def breaches_of(root, debts, show_graph=False):
         for path in sorted((root / folder).rglob("*.[ch]pp")):
             files += 1
             name = path.relative_to(root).as_posix()
-            for target in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            text = path.read_text(encoding="utf-8")
+            breaches += breaches_of_the_page(name, INCLUDE.findall(text), LIBRARY.findall(text))
+            for target in INCLUDE.findall(text):
                 other = target.split("/")[0]
                 if not (root / target).is_file():
                     breaches.append(f'{name}: includes "{target}": there is no such file below the project\'s folder')
@@ -98,11 +115,21 @@ def breaches_of(root, debts, show_graph=False):
 def self_test():
     """Plants one breach of each kind in a small tree; returns what was not found, or found wrongly."""
     sound = {"io/a/a.hpp": "", "io/front.hpp": "io/a/a.hpp", "verify/b/b.cpp": "io/front.hpp",
-             "corpus/c.cpp": "verify/v.hpp", "verify/v.hpp": "", "reference/program/main.cpp": "verify/v.hpp"}
+             "corpus/c.cpp": "verify/v.hpp", "verify/v.hpp": "", "reference/program/main.cpp": "verify/v.hpp",
+             "reference/tables.hpp": "", "reference/x.hpp": "", "reference/engine/e.hpp": "reference/tables.hpp",
+             "reference/paper/p.hpp": "reference/tables.hpp", "reference/paper/q.hpp": "<Eigen/Geometry>",
+             "reference/paper/r.hpp": "io/front.hpp", "reference/by_page.cpp": "reference/paper/p.hpp"}
     planted = {
         "may include": {"io/a/a.hpp": "verify/v.hpp"},
         "reference may include io only": {"reference/x.cpp": "verify/v.hpp"},
         "there is no such file": {"verify/b/b.cpp": "io/missing.hpp"},
+        "the engine must not know the page": {"reference/engine/e.hpp": "reference/paper/p.hpp"},
+        "reference/engine/e.hpp, but the page may include": {"reference/paper/p.hpp": "reference/engine/e.hpp"},
+        "reference/x.hpp, but the page may include": {"reference/paper/q.hpp": "reference/x.hpp"},
+        "<CGAL/Kernel.h>, but the page may use": {"reference/paper/p.hpp": "<CGAL/Kernel.h>"},
+        "<tbb/parallel_for.h>, but the page may use": {"reference/paper/q.hpp": "<tbb/parallel_for.h>"},
+        "<boost/graph.hpp>, but the page may use": {"reference/paper/q.hpp": "<boost/graph.hpp>"},
+        "<unistd.h>, but the page may use": {"reference/paper/q.hpp": "<unistd.h>"},
         "rooms in a circle: io/a, io/front.hpp": {"io/a/a.hpp": "io/front.hpp"},
         "rooms in a circle: io/p, io/q, io/r": {"io/p/p.hpp": "io/q/q.hpp", "io/q/q.hpp": "io/r/r.hpp", "io/r/r.cpp": "io/p/p.hpp",
                                                "io/r/r.hpp": ""},
@@ -113,7 +140,8 @@ def self_test():
             root = pathlib.Path(folder)
             for name, target in {**sound, **files}.items():
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(f'#include <vector>\n#include "{target}"\n' if target else "")
+                include = f"#include {target}" if target.startswith("<") else f'#include "{target}"'
+                (root / name).write_text(f"#include <vector>\n{include}\n" if target else "")
             found = breaches_of(root, set())
         if (expected is None and found) or (expected and not (len(found) == 1 and expected in found[0])):
             wrong.append(f"expected {expected}, found {found}")

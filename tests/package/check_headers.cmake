@@ -1,5 +1,5 @@
 # Every installed header compiles on its own, and none brings in another project's headers but Eigen's; GoogleTest's
-# only <tetproof/verify/gtest.hpp> does, which is what it is for.
+# only <tetproof/verify/gtest.hpp> does, which is what it is for, and Boost's rational numbers the headers of the page.
 # usage: cmake -DPREFIX=DIR -DCOMPILER=CXX -DEIGEN=DIR -DWORK=DIR -P check_headers.cmake
 file(GLOB_RECURSE headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*.hpp")
 list(LENGTH headers count)
@@ -9,6 +9,9 @@ endif()
 string(REPLACE "|" ";-isystem;" eigen "-isystem;${EIGEN}")
 
 foreach(header ${headers})
+  if(header MATCHES "/reference/paper/" AND NOT header MATCHES "/page.hpp$")
+    continue()   # each begins with the one before it, so that page.hpp compiles them all in their order
+  endif()
   file(WRITE "${WORK}/one_header.cpp" "#include <${header}>\n#include <${header}>\n")
   execute_process(
     COMMAND "${COMPILER}" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -MMD -MF "${WORK}/one_header.d"
@@ -20,6 +23,9 @@ foreach(header ${headers})
   endif()
   file(READ "${WORK}/one_header.d" names)
   string(REGEX MATCHALL "[^ \\\n]*/(CGAL|openvdb|boost|fmt|tbb|oneapi|nlohmann|CLI|nanoflann|pugixml|gmsh)[^ \\\n]*" foreign "${names}")
+  if(header MATCHES "/reference/paper/")
+    list(FILTER foreign EXCLUDE REGEX "/boost/")
+  endif()
   if(foreign)
     message(SEND_ERROR "<${header}> includes ${foreign}")
   endif()

@@ -56,13 +56,15 @@ TEST_P(NaturalEnd, WithACertificate) {
   const ScratchFolder folder;
   const Outcome run = mesh(
       Words{file, "-o", folder / "g.msh", "--cells", "14", "--voxels", "0", "--json", "-"} + setting.options);
-  ASSERT_EQ(run.exit_code, 0) << run;
   const json report = json::parse(run.out);
-  EXPECT_EQ(report["certificate"], true);
-  if (!report.contains("adaptation")) {
-    EXPECT_EQ(report["generation"]["first_grid"]["tets"], 0) << "nothing to adapt";
+  if (!report.contains("adaptation")) {  // nothing to adapt, and nothing to certify
+    EXPECT_EQ(report["generation"]["first_grid"]["tets"], 0);
+    EXPECT_TRUE(report["certificate"].is_null());
+    EXPECT_EQ(run.exit_code, 1) << run;
     return;
   }
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_EQ(report["certificate"], true);
   const json& adaptation = report["adaptation"];
   EXPECT_THAT(adaptation["stopped"], testing::AnyOf("no-gain", "dilution", "stalled"));
   EXPECT_LE(adaptation["e_avg_last"], adaptation["e_avg_first"]);
@@ -146,7 +148,7 @@ class ShippedTraces : public testing::TestWithParam<Shipped> {};
 TEST_P(ShippedTraces, HaveNotDrifted) {
   const ScratchFolder folder;
   const std::string file = traces + GetParam().name + ".jsonl";
-  EXPECT_LT(std::filesystem::file_size(file), 200000u);
+  EXPECT_LT(std::filesystem::file_size(file), 300000u);
   const Outcome run =
       mesh(GetParam().arguments + Words{"--voxels", "0", "--trace", folder / "now.jsonl", "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run;
@@ -162,29 +164,20 @@ TEST_P(ShippedTraces, AreAdmissible) {
   const json report = json::parse(run.out);
   EXPECT_EQ(report["follow"]["admissible"], true);
   EXPECT_EQ(report["follow"]["ties"], 0);
-  EXPECT_GT(report["adaptation"]["insertions"], 20);
+  if (read(file).find("\"not-asked\"") == std::string::npos) {
+    EXPECT_GT(report["adaptation"]["insertions"], 15);
+  }
 }
-// The shipped traces are more than a record of our own results: an implementation that shares no code gives
-// the same.
-TEST_P(ShippedTraces, AreWhatTheSecondImplementationWrites) {
-  Words arguments = GetParam().arguments;
-  const auto parametric = std::find(arguments.begin(), arguments.end(), "--parametric");
-  if (parametric != arguments.end()) arguments.erase(parametric, parametric + 2);
-  const std::string file = traces + GetParam().name + ".jsonl";
-  if (read(file).find("\"parametric\":true") != std::string::npos)
-    GTEST_SKIP() << "the second implementation does not follow parametric surfaces";
+
+// The shipped traces are more than a record of the fast engine's own results: the page writes the same bytes.
+TEST_P(ShippedTraces, AreWhatThePageWrites) {
   const ScratchFolder folder;
-  const Words command =
-      Words{program("tetproof-second")} + arguments + Words{"--trace", folder / "second.jsonl"};
-  const Outcome second = run_program(command, {.timeout_s = 120});
-  ASSERT_EQ(second.exit_code, 0) << second;
-  const Outcome same =
-      run_program({program("tetproof-compare"), folder / "second.jsonl", file, "--json", folder / "c.json"});
-  EXPECT_EQ(same.exit_code, 0) << same;
-  const Outcome followed =
-      mesh(GetParam().arguments + Words{"--voxels", "0", "--follow", folder / "second.jsonl"});
-  EXPECT_EQ(followed.exit_code, 0) << followed;
+  const Outcome run = mesh(GetParam().arguments + Words{"--engine", "paper", "--voxels", "0", "--trace",
+                                                        folder / "page.jsonl", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run;
+  EXPECT_TRUE(folder.read("page.jsonl") == read(traces + GetParam().name + ".jsonl"));
 }
+
 INSTANTIATE_TEST_SUITE_P(Corpus, ShippedTraces, testing::ValuesIn(shipped_traces()),
                          [](const auto& each) { return each.param.name; });
 
@@ -212,7 +205,7 @@ TEST(Follow, SaysWhereATraceDepartsAndExits1) {
 TEST(Follow, WhatIsNoTraceIsBadInput) {
   const ScratchFolder folder;
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
-           {"solid cube\n", "no.jsonl:1: "}, {"", "expected the records 'first_grid' and 'weight'"}}) {
+           {"solid cube\n", "no.jsonl:1: "}, {"", "the trace breaks off"}}) {
     const Outcome run = mesh({"sphere:n=100", "--cells", "4", "--follow", folder.write("no.jsonl", text)});
     EXPECT_EQ(run.exit_code, 2) << run;
     EXPECT_EQ(lines(run.err), 1u) << run;

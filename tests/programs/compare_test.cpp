@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-compare as users run it: traces and grids that tetproof-mesh wrote, one of them changed.
+// tetproof-compare on grids as users run it, and what it refuses. Traces: compare_traces_test.cpp.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/support/run_program.hpp"
 
@@ -28,23 +27,6 @@ class Compare : public ::testing::Test {
     files = nullptr;
   }
 
-  static std::vector<std::string> trace() {
-    std::vector<std::string> all;
-    std::istringstream stream(files->read("reference.jsonl"));
-    for (std::string line; std::getline(stream, line);) all.push_back(line);
-    return all;
-  }
-  static std::string write(const std::string& name, const std::vector<std::string>& trace) {
-    std::string text;
-    for (const std::string& line : trace) text += line + "\n";
-    return files->write(name, text);
-  }
-  static std::size_t find(const std::vector<std::string>& trace, const std::string& kind, int nth) {
-    for (std::size_t i = 0; i < trace.size(); ++i)
-      if (trace[i].starts_with("{\"record\":\"" + kind + "\"") && --nth == 0) return i;
-    ADD_FAILURE() << "the trace has too few records " << kind;
-    return 0;
-  }
   static Outcome run(const std::string& other, const std::string& reference,
                      const std::vector<std::string>& more = {}) {
     std::vector<std::string> words{program("tetproof-compare"), other, reference};
@@ -55,65 +37,6 @@ class Compare : public ::testing::Test {
   static ScratchFolder* files;
 };
 ScratchFolder* Compare::files = nullptr;
-
-TEST_F(Compare, ATraceEqualsItself) {
-  const std::string path = *files / "reference.jsonl";
-  const Outcome outcome = run(path, path);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome;
-  EXPECT_THAT(outcome.out, StartsWith("equal: every decision, "));
-  EXPECT_EQ(outcome.err, "");
-  const json result = json::parse(run(path, path, {"--json", "-"}).out);
-  EXPECT_EQ(result.at("compared"), "traces");
-  EXPECT_EQ(result.at("verdict"), "equal");
-  EXPECT_GT(result.at("insertions"), 100);
-  for (const char* key : {"step", "place", "insertion", "what"}) EXPECT_TRUE(result.at(key).is_null()) << key;
-  EXPECT_EQ(result.at("notes"), json::array());
-}
-
-TEST_F(Compare, ADivergenceIsNamedWithItsPlace) {
-  std::vector<std::string> lines = trace();
-  const std::size_t at = find(lines, "insertion", 17);
-  json record = json::parse(lines[at]);
-  const std::string row = record.at("row"), wrong = row == "3b" ? "3a" : "3b";
-  record["row"] = wrong;
-  lines[at] = record.dump();
-  const std::string other = write("other.jsonl", lines);
-  const Outcome outcome = run(other, *files / "reference.jsonl");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome;
-  EXPECT_THAT(outcome.out,
-              StartsWith("they diverge, step (vi), Table 4:\ninsertion 17: both split the tetrahedron at ("));
-  EXPECT_THAT(outcome.out, HasSubstr("reference by row " + row + " of Table 4, other by row " + wrong));
-  EXPECT_THAT(outcome.out, HasSubstr("\n  other (" + other + ":" + std::to_string(at + 1) + "): "));
-  const json result = json::parse(run(other, *files / "reference.jsonl", {"--json", "-"}).out);
-  EXPECT_EQ(result.at("verdict"), "diverges");
-  EXPECT_EQ(result.at("step"), "table-4");
-  EXPECT_EQ(result.at("insertion"), 17);
-  EXPECT_EQ(result.at("other").at("line"), at + 1);
-  EXPECT_EQ(result.at("other").at("record"), record);
-  EXPECT_EQ(result.at("reference").at("file"), *files / "reference.jsonl");
-}
-
-// Two insertions are made a tie: both get the same E_avg, and their order is exchanged.
-TEST_F(Compare, ATieIsNoDivergence) {
-  std::vector<std::string> reference = trace();
-  const std::size_t first = find(reference, "insertion", 3), second = find(reference, "insertion", 4);
-  ASSERT_EQ(second, first + 1) << "no flips between the two";
-  std::vector<std::string> other = reference;
-  json one = json::parse(reference[first]), two = json::parse(reference[second]);
-  std::swap(one["n"], two["n"]), std::swap(one["e_avg"], two["e_avg"]);
-  other[first] = two.dump(), other[second] = one.dump();
-  Outcome outcome = run(write("other.jsonl", other), *files / "reference.jsonl");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr(", 2 of them in another order within ties"));
-  other.resize(second), reference.resize(second);  // the traces end within the tie
-  outcome = run(write("other.jsonl", other), write("short.jsonl", reference));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome;
-  EXPECT_THAT(outcome.out, StartsWith("a tie, step (vi), eq. (3.5):\ninsertion 3: reference splits"));
-  EXPECT_THAT(outcome.out, HasSubstr("tetproof-mesh --follow checks the rest"));
-  const json result = json::parse(run(*files / "other.jsonl", *files / "short.jsonl", {"--json", "-"}).out);
-  EXPECT_EQ(result.at("verdict"), "tie");
-  EXPECT_EQ(result.at("insertions"), 2);
-}
 
 TEST_F(Compare, GridsAreComparedAcrossFormats) {
   const std::string grid = *files / "reference.msh";
@@ -168,12 +91,6 @@ TEST_F(Compare, WhatCannotBeComparedIsRefused) {
           "surface.off: holds no tetrahedra");
   refused(good, good, "--tolerance", {"--tolerance", "-1"});
   refused(good, good, "--tolerance", {"--tolerance", "nan"});
-}
-
-TEST_F(Compare, TracesComeThroughPipes) {
-  const Outcome outcome = run_program({"bash", "-c", "\"$0\" <(cat \"$1\") \"$1\"; echo $?",
-                                       program("tetproof-compare"), *files / "reference.jsonl"});
-  EXPECT_THAT(outcome.out, ::testing::EndsWith("\n0\n")) << outcome;
 }
 
 }  // namespace

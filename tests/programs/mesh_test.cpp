@@ -184,13 +184,46 @@ TEST(Mesh, NormalsThatContradictTheFacetsAreSaid) {
               HasSubstr("not read: normals that point against the order of the corners: 1 (line 4)\n"));
 }
 
-TEST(Mesh, AnEmptyGridIsSaid) {
+TEST(Mesh, AnEmptyGridIsSaidAndIsNotCertified) {
   const ScratchFolder folder;
   const Outcome run =
-      mesh({"box:x0=0,x1=10,y0=0,y1=10,z0=0,z1=0.05", "-o", folder / "g.msh", "--cells", "4"});
+      mesh({"box:x0=0,x1=10,y0=0,y1=10,z0=0,z1=0.05", "-o", folder / "g.msh", "--cells", "3,3,1"});
+  EXPECT_EQ(run.exit_code, 1) << run;
   EXPECT_THAT(
       run.err,
-      HasSubstr("the grid is empty: the surface is thinner than the lattice everywhere; use more --cells"));
+      HasSubstr("the grid is empty: the surface is thinner than the lattice of 3 cells everywhere; use "
+                "more --cells"));
+  EXPECT_THAT(run.out, HasSubstr("incomplete: no certificate; not judged: 1 mesh (it has no tetrahedra)"));
+  EXPECT_THAT(run.out, testing::Not(HasSubstr("certified")));
+}
+
+// A thin shell of which the tolerance takes the few vertices of the default lattice that are inside.
+TEST(Mesh, AThinSurfaceGetsMoreCellsByDefault) {
+  const ScratchFolder folder;
+  std::vector<std::string> thin{TETPROOF_SOURCE_DIR "/corpus/surfaces/Cray_left.obj", "--on-surface", "0.1"};
+  for (const std::string& word : {std::string("--points"), std::string("0"), std::string("--voxels"),
+                                  std::string("0"), std::string("-o"), folder / "g.msh"})
+    thin.push_back(word);
+  const Outcome run = mesh(thin);
+  EXPECT_EQ(run.exit_code, 0) << run;
+  EXPECT_THAT(run.err,
+              HasSubstr("the grid with 24 cells is empty, because the surface is thin: 96 are taken"));
+  thin.insert(thin.end(), {"--cells", "24"});
+  const Outcome told = mesh(thin);
+  EXPECT_EQ(told.exit_code, 1) << told;
+}
+
+TEST(Mesh, VerticesThatNoTriangleNamesDoNotCount) {
+  const ScratchFolder folder;
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const Outcome plain = mesh({folder.write("a.obj", corners + faces), "-o", folder / "a.msh", "--curvature"});
+  const Outcome stray = mesh({folder.write("b.obj", corners + "v 9 9 9\nv 8 8 8\nl 5 6\n" + faces), "-o",
+                              folder / "b.msh", "--curvature"});
+  EXPECT_EQ(plain.exit_code, 0) << plain;
+  EXPECT_EQ(stray.exit_code, 0) << stray;
+  EXPECT_THAT(stray.err, HasSubstr("b.obj: without 2 vertices that no triangle names"));
+  EXPECT_EQ(folder.read("a.msh"), folder.read("b.msh"));
 }
 
 TEST(Mesh, FarFromTheOriginItGoesWithoutVoxels) {

@@ -53,8 +53,11 @@ TEST_P(LatticeAligned, IsCertified) {
                                              .diagonals = diagonals});
   EXPECT_EQ(made.not_positive, 0);
   const verify::Report report = verify::verify(made.grid.mesh, {.quality = false});
-  EXPECT_EQ(report.certificate, std::optional<bool>(true)) << verify::report_text(report);
-  EXPECT_TRUE(verify::sound(report)) << verify::report_text(report);
+  const bool empty =
+      made.grid.mesh.tets.empty();  // where the shell is thinner than a cell: nothing is certified
+  EXPECT_EQ(report.certificate, empty ? std::nullopt : std::optional<bool>(true))
+      << verify::report_text(report);
+  EXPECT_EQ(verify::sound(report), !empty) << verify::report_text(report);
 }
 
 TEST_P(LatticeAligned, LiteralConforms) {

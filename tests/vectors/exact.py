@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Exact arithmetic for the vectors: points of fractions, roots to 60 digits, and draws that are the same everywhere."""
+from decimal import Decimal, getcontext
 from fractions import Fraction
 from itertools import combinations
 
+getcontext().prec = 80
+PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 FACES = ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))  # of a positive tetrahedron, seen from outside anticlockwise
 
 
@@ -94,3 +97,44 @@ class Draws:
             j = self.below(i + 1)
             items[i], items[j] = items[j], items[i]
         return items
+
+
+def arctangent(y, x):
+    """The angle of (x, y), y >= 0, between 0 and pi, to 60 digits: Decimals in and out."""
+    if y == 0:
+        return Decimal(0) if x > 0 else PI
+    halvings = 0
+    t = y / ((x * x + y * y).sqrt() + x) if x > 0 or y > abs(x) else None  # the tangent of half the angle
+    if t is None:
+        return PI - arctangent(y, -x)
+    while t > Decimal("0.01"):
+        t = t / (1 + (1 + t * t).sqrt())
+        halvings += 1
+    power, total, k = t, Decimal(0), 1
+    while abs(power) > Decimal(10) ** -75:
+        total += power / k if k % 4 == 1 else -power / k
+        power *= t * t
+        k += 2
+    return total * 2 ** (halvings + 1)
+
+
+def tangent(angle):
+    """The tangent of a Decimal between 0 and pi/2, to 60 digits."""
+    x, halvings = angle, 0
+    while x > Decimal("0.01"):
+        x, halvings = x / 2, halvings + 1
+    sine, term, k = Decimal(0), x, 1
+    while abs(term) > Decimal(10) ** -80:
+        sine += term
+        term *= -x * x / ((k + 1) * (k + 2))
+        k += 2
+    t = sine / (1 - sine * sine).sqrt()
+    for _ in range(halvings):
+        t = 2 * t / (1 - t * t)
+    return t
+
+
+def decimal(x):
+    """A Decimal of a fraction, to 80 digits."""
+    x = Fraction(x)
+    return Decimal(x.numerator) / Decimal(x.denominator)

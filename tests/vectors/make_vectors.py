@@ -12,6 +12,9 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 import curvature_cases  # noqa: E402
 import equation_cases  # noqa: E402
+import lattice_cases  # noqa: E402
+import quality_cases  # noqa: E402
+import surface_cases  # noqa: E402
 import table3_cases  # noqa: E402
 import table4_cases  # noqa: E402
 import table_cases  # noqa: E402
@@ -33,6 +36,13 @@ FILES = {
                          equation_cases.curvature_weight, []),
     "curvature": ("Absolute curvature at a vertex of a triangulated surface, after the paper's reference [3]",
                   curvature_cases.FLAGS, curvature_cases.curvature, []),
+    "lattice": ("Eq. (2.1): the lattice in the scaled box of a surface", lattice_cases.FLAGS, lattice_cases.lattice, []),
+    "indicators": ("Exact indicators: which points lie inside, on and outside a surface", surface_cases.INDICATORS_FLAGS, surface_cases.indicators, []),
+    "edge_points": ("The points that an edge has in common with a surface, as Table 3 counts them", surface_cases.EDGE_FLAGS,
+                    surface_cases.edge_points, []),
+    "closest_point": ("The point of a surface that is closest to a point", surface_cases.CLOSEST_FLAGS, surface_cases.closest_point, []),
+    "quality": ("Section 4: the smallest solid angle of a tetrahedron, and D/A", quality_cases.QUALITY_FLAGS, quality_cases.quality, []),
+    "flips": ("Section 4: the flip of a set of tetrahedra that gains most", quality_cases.FLIPS_FLAGS, quality_cases.flips, []),
 }
 
 

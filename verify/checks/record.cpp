@@ -54,7 +54,9 @@ void Record::settle(const TetMesh& mesh, const Options& options) {
     else if (result.verdict != Verdict::undecided)
       result.verdict = Verdict::pass;
   }
-  if (violated)
+  if (mesh.tets.empty())
+    report.not_judged.push_back({"mesh", 1, "it has no tetrahedra"});
+  else if (violated)
     report.certificate = false;
   else if (!open)
     report.certificate = true;

@@ -19,11 +19,13 @@ class FirstGrid {
   /// outlive this object.
   FirstGrid(TraceStream& reference, const FirstSteps& steps);
 
-  /// Reads the other trace up to the same place and adds what differs. `notes` gets what is not compared
-  /// because only one trace has it.
-  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
+  /// Reads the other trace up to the same place and adds what differs. `not_compared` gets what only
+  /// one trace has.
+  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& not_compared);
 
   const std::optional<trace::FirstGrid>& summary() const { return summary_; }
+  /// Its tetrahedra, by their points; empty if the reference does not say them.
+  std::vector<TetKey> tets() const;
   TracePoints& points() { return points_; }  ///< the first grid's points, to which insertions add theirs
 
  private:
@@ -33,7 +35,8 @@ class FirstGrid {
     std::int64_t line, partner;                      // the partner's line in the other trace; 0: none yet
   };
   trace::Weight record(const Entry& entry) const;
-  double curvature_scale() const;  ///< [1/length]
+  double desired_volume(double d) const;  ///< needs `summary_`
+  double curvature_scale() const;         ///< [1/length]
   void compare_weight(const Entry& entry, const trace::Weight& weight, std::int64_t line,
                       Differences& differences) const;
   void compare_summary(const std::optional<trace::FirstGrid>& other, std::int64_t other_line,

@@ -78,11 +78,9 @@ void FirstSteps::read(TraceStream& stream, const Take& take) {
             once(settings);
           } else if constexpr (std::is_same_v<R, Lattice>) {
             once(lattice);
-          } else if constexpr (std::is_same_v<R, FirstGrid> || std::is_same_v<R, Weight> ||
-                               std::is_same_v<R, Insertion> || std::is_same_v<R, Flip> ||
-                               std::is_same_v<R, End>) {
-            return false;
-          } else if (!lattice) {
+          } else if (std::is_same_v<R, FirstGrid> || std::is_same_v<R, Weight> ||
+                     std::is_same_v<R, Insertion> || std::is_same_v<R, Flip> || std::is_same_v<R, End> ||
+                     !lattice) {
             return false;
           }
           take(record);
@@ -120,7 +118,8 @@ FirstSteps::FirstSteps(TraceStream& reference, double tolerance) : tolerance_{.r
   });
 }
 
-void FirstSteps::compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes) {
+void FirstSteps::compare(TraceStream& other, Differences& differences,
+                         std::vector<std::string>& not_compared) {
   Settings settings;
   std::int64_t settings_line = 0;
   // These wait until all records are read, because only then it is known what rounding decides.
@@ -162,7 +161,8 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
                                 record.cells[1], record.cells[2])
                   : "the lattice's boxes differ",
             {lattice_line_, says(lattice_), to_line(lattice_)},
-            {other.line(), says(record), to_line(record)}};
+            {other.line(), says(record), to_line(record)},
+            cells};
       });
     } else if constexpr (std::is_same_v<R, Indicators>) {
       if (const auto* entry = indicators_.match(line, {record.j, record.k}, record, differences, called))
@@ -191,6 +191,19 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
       const bool as_close = std::abs((a - from).norm() - (b - from).norm()) <= tolerance_.length;
       compare_points(Step::moved, *entry, record, line, a, b, as_close ? ", both as close to it" : "",
                      as_close);
+      if (entry->record.mended != record.mended)
+        differences.add(
+            Step::moved, entry->line, line,
+            [&, &record = record, &line = line] {
+              const auto says = [](const Moved& m) {
+                return m.mended ? "moved because of rounding" : "moved because it is near";
+              };
+              return Differences::Difference{fmt::format("{} in both, but only in {} because of rounding",
+                                                         name(record), record.mended ? "other" : "reference"),
+                                             {entry->line, says(entry->record), to_line(entry->record)},
+                                             {line, says(record), to_line(record)}};
+            },
+            exact || vertices_.doubtful(record.vertex));
     }
   }
 
@@ -199,8 +212,7 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   const auto exactly = [](const auto&) { return false; };
   const auto rest = [&](const auto& kind, const char* of, const auto& by_rounding) {
     if (kind.left_out())
-      notes.push_back(
-          fmt::format("{} are not compared: {} has none", of, kind.empty() ? "reference" : "other"));
+      not_compared.push_back(fmt::format("{}: {} has none", of, kind.empty() ? "reference" : "other"));
     kind.rest(differences, called, by_rounding);
   };
   rest(indicators_, "indicators", exactly);
@@ -209,10 +221,6 @@ void FirstSteps::compare(TraceStream& other, Differences& differences, std::vect
   rest(cuts_, "cuts", exactly);
   rest(rows_, "rows of Table 2", exactly);
   rest(mapped_, "mapped points", exactly);
-}
-
-double FirstSteps::magnitude() const {
-  return std::max(lattice_.box[0].lpNorm<Eigen::Infinity>(), lattice_.box[1].lpNorm<Eigen::Infinity>());
 }
 
 Point FirstSteps::position(const LatticeVertex& vertex) const {
@@ -233,8 +241,8 @@ void FirstSteps::note(Vertices& vertices, const Record& record) const {
       if (tolerance_.same(position(end), cut->point)) vertices.near.insert(end);
 }
 
-// Adds the vertices whose indicators differ. Mending starts the characterisation again, so a mended vertex is
-// compared with the moved vertices and not here.
+// Adds the vertices whose indicators differ. Mending starts the characterisation again, so a vertex that only
+// one of the traces has mended is compared with the moved vertices and not here.
 void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vertices& other, bool exact_only,
                                     Differences& differences) const {
   for (const Waiting& row : rows) {
@@ -246,7 +254,7 @@ void FirstSteps::compare_indicators(const std::vector<Waiting>& rows, const Vert
         const char reference = i < in_a->size() ? (*in_a)[i] : ' ', its = i < in_b->size() ? (*in_b)[i] : ' ';
         if (reference == its) continue;
         const LatticeVertex vertex{static_cast<int>(i), a.j, a.k};
-        if (vertices_.mended.contains(vertex) || other.mended.contains(vertex)) continue;
+        if (vertices_.mended.contains(vertex) != other.mended.contains(vertex)) continue;
         const bool by_rounding = exact_only && ((reference == '0' && other.near.contains(vertex)) ||
                                                 (its == '0' && vertices_.near.contains(vertex)));
         differences.add(

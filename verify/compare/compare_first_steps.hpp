@@ -19,9 +19,9 @@ class FirstSteps {
   /// Reads the reference up to its first record of step (v).
   FirstSteps(TraceStream& reference, double tolerance);
 
-  /// Reads the other trace up to the same place and adds what differs. `notes` gets what is not compared
-  /// because only one trace has it.
-  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& notes);
+  /// Reads the other trace up to the same place and adds what differs. `not_compared` gets what only
+  /// one trace has.
+  void compare(TraceStream& other, Differences& differences, std::vector<std::string>& not_compared);
 
   /// Names the reference's lattice tetrahedron that holds a point: "tetrahedron xyz of cell (i, j, k), row
   /// 12a of Table 2". The row is missing if the reference does not give it.
@@ -31,8 +31,6 @@ class FirstSteps {
   const trace::Settings& settings() const { return settings_; }
   /// The diagonal of the lattice's box [length].
   double diagonal() const { return (lattice_.box[1] - lattice_.box[0]).stableNorm(); }
-  /// The largest absolute coordinate of the lattice's box [length].
-  double magnitude() const;
 
  private:
   using IndicatorRecords = KeyedRecords<std::array<int, 2>, trace::Indicators>;

@@ -1,91 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/compare/compare_flips.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
-
-#include "verify/compare/rounding.hpp"
 
 namespace tetproof::verify {
 namespace {
 
 using namespace trace;
 
-std::vector<FlipKey> sorted_keys(const Split& split) {
-  std::vector<FlipKey> all;
-  for (const Flipped& flip : split.flips) all.push_back(flip.key);
-  std::sort(all.begin(), all.end());
-  return all;
-}
+constexpr double rounding = 1e-12;  // of tan(Omega/2), and of D/A times a length
 
-bool by_solid_angle(const Settings& settings) {
-  return settings.improve != "aspect-ratio";
-}
-
-// The gain by which the best flip is chosen (reading D22). Solid angles are measured as tan(Omega/2).
-double gain(const Flip& flip, const Settings& settings) {
-  const auto measure = [&](double quality) {
-    return by_solid_angle(settings) ? std::tan(2 * std::numbers::pi * quality) : quality;
-  };
-  return measure(flip.quality_after) - measure(flip.quality_before);
-}
-
-// The magnitude of good qualities: tan(Omega/2) has no unit, D/A is one over a length.
-double healthy(const Flip& flip, const Settings& settings) {
-  if (by_solid_angle(settings)) return 1;
-  double longest = 0;
-  for (const Point& a : flip.face)
-    for (const Point& b : flip.edge) longest = std::max(longest, (a - b).norm());
-  return 1 / longest;
-}
-
-// A gain up to this size is rounding.
-double slack(const Flip& flip, const Settings& settings) {
-  return tie *
-         std::max({healthy(flip, settings), std::abs(flip.quality_before), std::abs(flip.quality_after)});
-}
-
-// Whether one of the flip's new tetrahedra is so thin that rounding decides if the hull is convex. Not if its
-// solid angle is clearly positive. D/A gives no such hint: that of a needle may have any size.
-bool decided_by_rounding(const Flip& flip, const Settings& settings, const Magnitudes& sizes) {
-  if (by_solid_angle(settings) && flip.quality_after > 1e-6) return false;
-  for (int i = 0; i < 3; ++i)
-    if (flip.two_to_three
-            ? thinner_than_rounding({flip.edge[0], flip.edge[1], flip.face[i], flip.face[(i + 1) % 3]},
-                                    sizes.length)
-            : i < 2 && thinner_than_rounding({flip.face[0], flip.face[1], flip.face[2], flip.edge[i]},
-                                             sizes.length))
-      return true;
-  return false;
-}
-
-// Why the two sequences of flips may differ at position `at`; nothing if one of them is wrong.
-std::optional<std::string> flips_tie(const Split& a, const Split& b, std::size_t at, const Settings& settings,
-                                     const Magnitudes& sizes) {
-  const Flip* const one = at < a.flips.size() ? &a.flips[at].flip : nullptr;
-  const Flip* const two = at < b.flips.size() ? &b.flips[at].flip : nullptr;
-  // The flip that the other side should have made: the better one, or the only one.
-  const Flip& better = one && (!two || gain(*one, settings) >= gain(*two, settings)) ? *one : *two;
-  const double by = better.quality_after - better.quality_before;
-  if (one && two &&
-      std::abs(gain(*one, settings) - gain(*two, settings)) <=
-          std::max({tie * std::abs(gain(*one, settings)), tie * std::abs(gain(*two, settings)),
-                    slack(*one, settings), slack(*two, settings)}))
-    return fmt::format("a tie: both raise the smallest quality by {:.6g}", by);
-  if (gain(better, settings) < -slack(better, settings)) return std::nullopt;
-  if (gain(better, settings) <= slack(better, settings))
-    return fmt::format("a tie: the flip's gain of {:.3g} is rounding", by);
-  if (decided_by_rounding(better, settings, sizes))
-    return "decided by rounding: the flip makes tetrahedra thinner than rounding";
-  if (at > 0) return std::nullopt;
+// The smallest solid angle of a tetrahedron, divided by 4 pi (van Oosterom and Strackee).
+double smallest_solid_angle(const Tet& tet) {
   double smallest = 1;
-  for (const Tet& piece : pieces(a.insertion)) smallest = std::min(smallest, smallest_solid_angle(piece));
-  if (std::abs(smallest - settings.improve_below) <= tie)
-    return fmt::format(
-        "a tie: the smallest solid angle of the new tetrahedra is {:.6g}, equal to the limit below which "
-        "flips are made",
-        smallest);
-  return std::nullopt;
+  for (int i = 0; i < 4; ++i) {
+    const Point a = tet[(i + 1) % 4] - tet[i], b = tet[(i + 2) % 4] - tet[i], c = tet[(i + 3) % 4] - tet[i];
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double omega = 2 * std::atan2(std::abs(a.cross(b).dot(c)),
+                                        la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    smallest = std::min(smallest, omega / (4 * std::numbers::pi));
+  }
+  return smallest;
+}
+
+// D/A: three volumes over the square of the largest area.
+double aspect_ratio(const Tet& tet) {
+  double area = 0;
+  for (int i = 0; i < 4; ++i)
+    area = std::max(area, (tet[(i + 1) % 4] - tet[i]).cross(tet[(i + 2) % 4] - tet[i]).norm() / 2);
+  return std::abs((tet[1] - tet[0]).cross(tet[2] - tet[0]).dot(tet[3] - tet[0])) / 2 / area / area;
+}
+
+std::vector<Tet> around_edge(const Flip& flip) {
+  std::vector<Tet> tets;
+  for (int i = 0; i < 3; ++i)
+    tets.push_back({flip.face[i], flip.face[(i + 1) % 3], flip.edge[0], flip.edge[1]});
+  return tets;
+}
+
+std::vector<Tet> beside_face(const Flip& flip) {
+  return {{flip.face[0], flip.face[1], flip.face[2], flip.edge[0]},
+          {flip.face[0], flip.face[1], flip.face[2], flip.edge[1]}};
+}
+
+std::vector<TetKey> around_edge(const FlipKey& f) {
+  return {sorted({f[0], f[1], f[3], f[4]}), sorted({f[0], f[2], f[3], f[4]}),
+          sorted({f[1], f[2], f[3], f[4]})};
+}
+
+std::vector<TetKey> beside_face(const FlipKey& f) {
+  return {sorted({f[0], f[1], f[2], f[3]}), sorted({f[0], f[1], f[2], f[4]})};
 }
 
 }  // namespace
@@ -96,16 +64,44 @@ std::string says(const Flip& flip) {
                      short_text(flip.edge[0]), short_text(flip.edge[1]));
 }
 
-bool same_flips(const Split& a, const Split& b) {
-  return sorted_keys(a) == sorted_keys(b);
+std::vector<TetKey> old_tets(const FlipKey& flip) {
+  return flip[5] ? beside_face(flip) : around_edge(flip);
 }
 
-FlipDifference first_flip_difference(std::int64_t n, const Split& a, const Split& b, const Settings& settings,
-                                     const Magnitudes& sizes) {
-  std::size_t i = 0;
-  while (i < a.flips.size() && i < b.flips.size() && a.flips[i].key == b.flips[i].key) ++i;
-  const Flipped* const one = i < a.flips.size() ? &a.flips[i] : nullptr;
-  const Flipped* const two = i < b.flips.size() ? &b.flips[i] : nullptr;
+std::vector<TetKey> new_tets(const FlipKey& flip) {
+  return flip[5] ? around_edge(flip) : beside_face(flip);
+}
+
+std::string wrong_quality(const Flip& flip, const std::string& improve, const Tolerance& tolerance) {
+  const bool by_ratio = improve == "aspect-ratio";
+  const auto smallest = [&](const std::vector<Tet>& tets) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Tet& tet : tets)
+      least = std::min(least, by_ratio ? aspect_ratio(tet) : smallest_solid_angle(tet));
+    return least;
+  };
+  double size = 1;  // of good qualities
+  if (by_ratio) {
+    double longest = 0;
+    for (const Point& a : flip.face)
+      for (const Point& b : flip.edge) longest = std::max(longest, (a - b).norm());
+    size = 1 / longest;
+  }
+  const auto beside = smallest(beside_face(flip)), around = smallest(around_edge(flip));
+  for (const auto& [when, stated, computed] :
+       {std::tuple("before", flip.quality_before, flip.two_to_three ? beside : around),
+        std::tuple("after", flip.quality_after, flip.two_to_three ? around : beside)})
+    if (!(std::abs(stated - computed) <=
+          std::max(tolerance.relative, rounding) * std::abs(computed) + rounding * size)) {
+      const auto [one, two] = apart(computed, stated);
+      return fmt::format("the smallest quality {} it is {}, not {}", when, one, two);
+    }
+  return "";
+}
+
+FlipDifference flip_difference(std::int64_t n, std::size_t at, const Split& a, const Split& b) {
+  const Flipped* const one = at < a.flips.size() ? &a.flips[at] : nullptr;
+  const Flipped* const two = at < b.flips.size() ? &b.flips[at] : nullptr;
   const auto side = [](const Flipped* flipped, std::int64_t line) {
     return flipped ? Says{flipped->line,
                           fmt::format("{}; smallest quality {:.6g} to {:.6g}", says(flipped->flip),
@@ -119,14 +115,12 @@ FlipDifference first_flip_difference(std::int64_t n, const Split& a, const Split
     return fmt::format("makes the {} flip at ({:.4g}, {:.4g}, {:.4g})", flip.two_to_three ? "2-3" : "3-2",
                        c.x(), c.y(), c.z());
   };
+  const std::string which = fmt::format("insertion {}, flip {}: ", n, at + 1);
   const std::string what =
-      one && two ? fmt::format("insertion {}, flip {}: reference {}, other {}", n, i + 1, short_name(*one),
-                               short_name(*two))
-      : one      ? fmt::format("insertion {}, flip {}: reference {}, other makes no further flip", n, i + 1,
-                               short_name(*one))
-                 : fmt::format("insertion {}, flip {}: other {}, reference makes no further flip", n, i + 1,
-                               short_name(*two));
-  return {what, side(one, a.line), side(two, b.line), flips_tie(a, b, i, settings, sizes)};
+      one && two ? fmt::format("{}reference {}, other {}", which, short_name(*one), short_name(*two))
+      : one      ? fmt::format("{}reference {}, other makes no further flip", which, short_name(*one))
+                 : fmt::format("{}other {}, reference makes no further flip", which, short_name(*two));
+  return {what, side(one, a.line), side(two, b.line)};
 }
 
 }  // namespace tetproof::verify

@@ -28,12 +28,13 @@ Differing differing(const Settings& a, const Settings& b, const Tolerance& toler
   compare("on_surface", a.on_surface, b.on_surface);
   compare("diagonals", a.diagonals, b.diagonals);
   compare("literal", a.literal, b.literal);
+  compare("parametric", a.parametric, b.parametric);
+  compare("points", a.points, b.points);
+  if (a.points == "0" && b.points == "0") return all;  // there are no steps (v) and (vi)
   compare("p", a.p, b.p);
   compare("curvature", a.curvature, b.curvature);
-  compare("parametric", a.parametric, b.parametric);
   compare("improve", a.improve, b.improve);
   if (a.improve != "none" || b.improve != "none") compare("improve_below", a.improve_below, b.improve_below);
-  compare("points", a.points, b.points);
   compare("past_dilution", a.past_dilution, b.past_dilution);
   return all;
 }
@@ -50,7 +51,7 @@ void compare_settings(const TracedSettings& reference, const TracedSettings& oth
   if (all.what.empty()) return;
   differences.add(Step::settings, reference.line, other.line, [&] {
     return Differences::Difference{"the settings differ: " + all.what, side(reference, all.reference),
-                                   side(other, all.other)};
+                                   side(other, all.other), true};
   });
 }
 

@@ -71,7 +71,8 @@ class KeyedRecords {
   template <class Name, class ByRounding>
   void rest(Differences& differences, const Name& name, const ByRounding& by_rounding) const {
     if (left_out()) return;
-    for (const auto& [key, entry] : entries_)
+    for (const auto& keyed : entries_) {
+      const Entry& entry = keyed.second;
       if (!entry.partner)
         differences.add(
             step_, entry.line, 0,
@@ -81,6 +82,7 @@ class KeyedRecords {
                                              {0, "nothing"}};
             },
             by_rounding(entry.record));
+    }
   }
 
   /// The reference's record with this key; nullptr if there is none.

@@ -36,7 +36,8 @@ const std::vector<TraceStep>& trace_steps() {
 
 void tell(TraceComparison& result, Step step, std::int64_t count, const Differences::Difference& difference) {
   const TraceStep& about = trace_steps()[static_cast<std::size_t>(step)];
-  result.verdict = TraceComparison::Verdict::diverges;
+  result.verdict =
+      difference.asked ? TraceComparison::Verdict::diverges : TraceComparison::Verdict::unresolved;
   result.step = about.name;
   result.place = about.place;
   result.what = difference.what;
@@ -54,9 +55,7 @@ void Differences::tell(TraceComparison& result) const {
   if (found_.empty()) return;
   const auto& [where, found] = *found_.begin();
   verify::tell(result, where.first, found.count, found.difference);
-  if (!where.second) return;
-  result.verdict = TraceComparison::Verdict::tie;
-  result.what += "; decided by rounding";
+  if (where.second) result.what += "; rounding may decide that";
 }
 
 std::string text(const trace::Point& point) {

@@ -42,6 +42,11 @@ enum class Step {
   end
 };
 
+/// The word of `TraceComparison::step`.
+inline const char* name_of(Step step) {
+  return trace_steps()[static_cast<std::size_t>(step)].name;
+}
+
 /// A trace that is being read, with access to the next record.
 class TraceStream {
  public:
@@ -80,6 +85,7 @@ class Differences {
   struct Difference {
     std::string what;
     Says reference, other;
+    bool asked = false;  ///< the two runs were asked for different things, so neither need be wrong
   };
   /// `make()` returns the difference; it is called only if this is the first one so far. A line is 0 if that
   /// trace has no record; such differences of the other trace come after those with a record in the
@@ -95,6 +101,9 @@ class Differences {
     found.difference = make();
   }
   bool none() const { return found_.empty(); }
+  /// Whether `step` is the earliest one that differs.
+  bool first_is(Step step) const { return !none() && found_.begin()->first.first == step; }
+  bool has(Step step) const { return found_.contains({step, false}) || found_.contains({step, true}); }
   /// Fills in `result` with the difference of the earliest step.
   void tell(TraceComparison& result) const;
 

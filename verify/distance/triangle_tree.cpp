@@ -77,7 +77,8 @@ std::array<Eigen::Vector3d, 3> TriangleTree::corners(Index t) const {
 }
 
 Index TriangleTree::across(Index t, int k) const {
-  const Side mate = mate_[static_cast<std::size_t>(3 * t + k)];
+  const Side side = 3 * t + k;
+  const Side mate = mate_[static_cast<std::size_t>(side)];
   return mate == no_side ? -1 : mate / 3;
 }
 

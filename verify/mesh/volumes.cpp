@@ -54,7 +54,8 @@ ExactVolumes::ExactVolumes(std::span<const Eigen::Vector3d> points, std::span<co
     : sums_(std::make_unique<Sums>()) {
   sums_->six_volumes.assign(sets, Exact(0));
   // Each thread first adds up runs of triangles of one set: consecutive triangles belong to few sets.
-  struct Part {
+  struct Part {  // NOLINT(bugprone-exception-escape): CGAL's number could throw where memory ends, and then
+                 // all ends
     Index set;
     Exact sum;
   };

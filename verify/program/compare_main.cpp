@@ -16,6 +16,7 @@
 #include "io/program/report_losses.hpp"
 #include "verify/compare_grids.hpp"
 #include "verify/compare_traces.hpp"
+#include "verify/program/check_trace.hpp"
 
 namespace {
 
@@ -30,6 +31,7 @@ constexpr const char* examples =
 
 struct Arguments {
   std::string other, reference;
+  std::string surface;
   double tolerance = 1e-9;
 };
 
@@ -94,10 +96,20 @@ int work(const Arguments& arguments, const program::Common& common) {
     program::Progress progress(common, {{"comparing", 1}});
     progress.enter("comparing");
     const verify::TraceComparison result =
-        verify::compare_traces(of_trace(arguments.other), of_trace(arguments.reference), arguments.tolerance);
+        verify::compare_traces(of_trace(arguments.other), of_trace(arguments.reference), arguments.tolerance,
+                               [&](const std::string& path) -> verify::CheckedTrace {
+                                 if (path == "/dev/stdin")
+                                   return {.cannot = "standard input can be read only once"};
+                                 if (!std::filesystem::is_regular_file(path))
+                                   return {.cannot = "a pipe can be read only once"};
+                                 return verify::check_trace(path, arguments.surface);
+                               });
     progress.end();
     report(result);
-    return result.verdict == verify::TraceComparison::Verdict::diverges ? program::wrong : program::sound;
+    using Verdict = verify::TraceComparison::Verdict;
+    if (result.verdict == Verdict::diverges) return program::wrong;
+    return result.verdict == Verdict::unresolved || !result.not_compared.empty() ? program::incomplete
+                                                                                 : program::sound;
   }
   program::Progress progress(common, {{"reading", 0.7}, {"comparing", 0.3}});
   progress.enter("reading");
@@ -117,9 +129,13 @@ int work(const Arguments& arguments, const program::Common& common) {
 int main(int argc, char** argv) {
   const program::Description description{
       "Compares two traces of the paper's method, as tetproof-mesh --trace writes them, and names the first "
-      "decision where they differ; or compares two grids up to numbering. Exit code 0: equal, or the traces "
-      "part where two choices tie or rounding decides, 1: different, 2: bad input, 3: own failure, 4: no "
-      "difference found, but not all of the grids could be compared.",
+      "decision where they differ; or compares two grids up to numbering. Where two traces part, each is "
+      "checked "
+      "decision by decision on its surface. Exit code 0: equal, or equal but for proven ties, 1: different, "
+      "2: bad "
+      "input, 3: own failure, 4: no difference found, but not all could be compared, or two traces part and "
+      "it is "
+      "not known which of them is wrong.",
       examples,
       {}};
   return program::run(
@@ -133,6 +149,12 @@ int main(int argc, char** argv) {
         app.add_option("REFERENCE", arguments->reference,
                        "the trace or grid to compare it with; one of the two can be -")
             ->required()
+            ->always_capture_default(false);
+        app.add_option(
+               "--surface", arguments->surface,
+               "the surface of the two traces, to check them where they part; if not given, the one that "
+               "each of them names")
+            ->type_name("FILE")
             ->always_capture_default(false);
         app.add_option(
                "--tolerance", arguments->tolerance,

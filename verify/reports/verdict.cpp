@@ -31,9 +31,9 @@ std::string not_judged_text(const NotJudged& entry) {
 std::string verdict_text(const Report& report) {
   const bool incomplete = !defective(report) && !sound(report);
   std::string text = incomplete ? "incomplete" : sound(report) ? "sound" : "DEFECTIVE";
-  if (!report.certificate)
+  if (!report.certificate && report.mesh.tets > 0)
     text += ": no certificate, a check that it needs was skipped";
-  else if (!*report.certificate)
+  else if (!report.certificate || !*report.certificate)
     text += ": no certificate";
   else if (incomplete)
     text += ": certified: " + io::counted(report.mesh.tets, "tetrahedra");

@@ -44,7 +44,8 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
     const double share = sum / (static_cast<double>(boxes.size()) * (high - low));
     if (share < reach) reach = share, slabs.axis = axis;
   }
-  const double most = std::min(static_cast<double>(boxes.size() / boxes_each), 1 / reach);
+  const std::size_t whole = boxes.size() / boxes_each;
+  const double most = std::min(static_cast<double>(whole), 1 / reach);
   const auto count = most >= 2 ? static_cast<std::size_t>(most) : 1;
   std::vector<double> lows(boxes.size());
   std::transform(boxes.begin(), boxes.end(), lows.begin(),

@@ -49,7 +49,7 @@ Exact determinant(std::span<const Eigen::Vector3d> points, const std::array<Inde
   return sum;
 }
 
-struct Ray {
+struct Ray {  // NOLINT(bugprone-exception-escape): as in volumes.cpp
   Index start;
   Point origin;
   int axis, direction;

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/engine/adaptation/adapt.hpp"
 
-#include <fmt/core.h>
-
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "io/error.hpp"
 #include "reference/engine/adaptation/insertion.hpp"
 
 namespace tetproof::reference {
-
-void check(const AdaptOptions& options) {
-  const auto positive = [](double value, std::string_view name) {
-    if (!(value > 0 && std::isfinite(value)))
-      throw InputError(fmt::format("{}: expected a positive number, found {}", name, value));
-  };
-  positive(options.v0.value, "v0");
-  positive(options.v1.value, "v1");
-  positive(options.p, "p");
-  if (options.d1 != 0) positive(options.d1, "d1");
-  if (!(options.e_avg.value >= 0))
-    throw InputError(fmt::format("e-avg: expected a number, not negative, found {}", options.e_avg.value));
-  if (!(options.improve_below >= 0 && options.improve_below <= 1))
-    throw InputError(fmt::format("improve-below: expected a solid angle from 0 to 1 (of 4 pi), found {}",
-                                 options.improve_below));
-  if (options.points < 0 && options.points != AdaptOptions::automatic)
-    throw InputError(fmt::format("points: expected a number, not negative, found {}", options.points));
-  if (options.past_dilution && options.points == AdaptOptions::automatic)
-    throw InputError("past-dilution: expected a number of points with it, found automatic (reading D17)");
-}
 
 std::string_view name_of(Stop stop) {
   switch (stop) {
@@ -47,6 +25,18 @@ std::string_view name_of(Stop stop) {
       return "diverged";
   }
   throw std::logic_error("a reason to stop without a name");
+}
+
+void find_worst(Adaptation& made) {
+  made.smallest_solid_angle = made.smallest_aspect_ratio = made.smallest_d_over_sqrt_a = HUGE_VAL;
+  for (const auto& [a, b, c, d] : made.mesh.tets) {
+    const auto& x = made.mesh.points;
+    const std::array corners{x[a], x[b], x[c], x[d]};
+    const auto lower = [](double& least, double value) { least = std::min(least, value); };
+    lower(made.smallest_solid_angle, solid_angle_of(smallest_solid_angle(corners)));
+    lower(made.smallest_aspect_ratio, aspect_ratio(corners));
+    lower(made.smallest_d_over_sqrt_a, dimensionless_aspect_ratio(corners));
+  }
 }
 
 Adaptation adapt(const Grid& first_grid, const TriangleSurface& surface, const AdaptOptions& options,

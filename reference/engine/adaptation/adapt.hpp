@@ -3,40 +3,12 @@
 // section 4.
 #pragma once
 
-#include <functional>
-#include <string>
+#include <string_view>
 
-#include "io/trace.hpp"
 #include "reference/engine/adaptation/improve.hpp"
 #include "reference/engine/adaptation/parametric.hpp"
 
 namespace tetproof::reference {
-
-/// A volume: in multiples of the first grid's mean volume, or absolute [length^3] (reading D13).
-struct VolumeSetting {
-  double value;
-  bool absolute = false;
-};
-
-struct AdaptOptions {
-  static constexpr std::int64_t automatic = -1;
-  /// The largest number of points to insert. `automatic`: insert until no split lowers E_avg.
-  std::int64_t points = automatic;
-  VolumeSetting v0{0.2}, v1{2};  ///< eq. (3.1), positive
-  double d1 = 0;                 ///< eq. (3.1) [length]; 0: the largest d_i of the first grid (reading D13)
-  double p = 1;                  ///< eq. (3.1), positive
-  VolumeSetting e_avg{0};        ///< stop when E_avg is at most this (reading D17); 0: never for this reason
-  bool past_dilution = false;    ///< go on where reading D17 stops for dilution; needs a number of points
-  bool curvature = false;        ///< weight the distance by eq. (3.6)
-  Criterion improve = Criterion::solid_angle;
-  /// A new solid angle below this makes an improvement necessary (reading D21). As a fraction of the full
-  /// solid angle, 4 pi.
-  double improve_below = 0.002;
-  bool check_every_step = false;  ///< check all invariants after every step: quadratic time, for tests
-};
-
-/// Throws InputError for options out of range.
-void check(const AdaptOptions& options);
 
 /// Why the adaptation ended (readings D17, D23). `diverged`: it followed a trace up to the first decision
 /// that is not admissible.
@@ -64,13 +36,8 @@ struct Adaptation {
   double smallest_d_over_sqrt_a = 0;  ///< without a unit (reading E5)
 };
 
-/// Functions that are called while the method runs. Each of them may be empty.
-struct Listener {
-  std::function<void(std::string_view)> phase;       ///< gets the name of each phase when it begins
-  std::function<void(const trace::Record&)> record;  ///< gets every decision, as a record of the trace
-  /// Gets the first grid, and the grid after each insertion and its flips.
-  std::function<void(const WeightedGrid&)> after_step;
-};
+/// Fills in the worst tetrahedra of `made.mesh`.
+void find_worst(Adaptation& made);
 
 /// Steps (v) and (vi) on the grid of steps (i) to (iv). The grid must not be empty, and all its tetrahedra
 /// must be positive. `true_surface` may be null. Throws InputError for options out of range, and for volumes

@@ -4,7 +4,7 @@
 namespace tetproof::reference {
 
 void record_first_grid(const WeightedGrid& grid, const Weighting& weighting, double mean_volume,
-                       const std::function<void(const trace::Record&)>& record) {
+                       double e_avg_goal, const std::function<void(const trace::Record&)>& record) {
   const VolumeLaw& law = weighting.law();
   trace::FirstGrid first{.points = grid.grid().points(),
                          .tets = grid.grid().tets(),
@@ -17,6 +17,7 @@ void record_first_grid(const WeightedGrid& grid, const Weighting& weighting, dou
     first.kappa_min = weighting.kappa_min();
     first.kappa_max = weighting.kappa_max();
   }
+  if (e_avg_goal > 0) first.e_avg_goal = e_avg_goal;
   record(first);
   for (Index t = 0; t < grid.grid().numbers(); ++t) {
     const Weight& w = grid.weight(t);

@@ -11,7 +11,7 @@ namespace tetproof::reference {
 
 /// Step (v): the record of the first grid, and one of the weight of each tetrahedron, are passed to `record`.
 void record_first_grid(const WeightedGrid& grid, const Weighting& weighting, double mean_volume,
-                       const std::function<void(const trace::Record&)>& record);
+                       double e_avg_goal, const std::function<void(const trace::Record&)>& record);
 
 /// Step (vi): the record of insertion number `n`, from 1, that splits the tetrahedron with these corners.
 /// `e_avg` is E_avg after it.

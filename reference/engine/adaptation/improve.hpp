@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "reference/engine/adaptation/weighted_grid.hpp"
+#include "reference/options.hpp"
 
 namespace tetproof::reference {
-
-/// The quality that a flip must raise (reading D20).
-enum class Criterion { none, solid_angle, aspect_ratio };
 
 /// tan(Omega/2) of the smallest of the four solid angles of a positive tetrahedron, after van Oosterom and
 /// Strackee. The four have the same numerator, so the smallest has the largest denominator. At most 0.28, the

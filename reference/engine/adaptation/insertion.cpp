@@ -69,7 +69,7 @@ Insertion::Insertion(const Grid& first_grid, const TriangleSurface& surface, con
   weighting_.set_law(law_of(options, mean_volume, distances));
   MapToSurface to_surface;
   if (true_surface) to_surface = [true_surface](const Eigen::Vector3d& p) { return (*true_surface)(p); };
-  grid_.emplace(std::move(triangulation), weighting_, distances, to_surface);
+  grid_.emplace(std::move(triangulation), weighting_, distances, to_surface, options.literal);
   check_demand(*grid_, options);
 
   e_avg_goal_ = absolute(options.e_avg, mean_volume);
@@ -81,7 +81,7 @@ Insertion::Insertion(const Grid& first_grid, const TriangleSurface& surface, con
              .kappa_max = weighting_.kappa_max(),
              .kappa_outlier_ratio = outlier_ratio(weighting_.kappas()),
              .e_avg_first = grid_->e_avg()};
-  if (listener_.record) record_first_grid(*grid_, weighting_, mean_volume, listener_.record);
+  if (listener_.record) record_first_grid(*grid_, weighting_, mean_volume, e_avg_goal_, listener_.record);
   if (listener_.after_step) listener_.after_step(*grid_);
   if (listener_.phase) listener_.phase("insertion");
 }
@@ -169,15 +169,7 @@ Adaptation Insertion::finish(Stop stop) {
   result_.stopped = stop;
   result_.e_avg_last = grid_->e_avg();
   result_.mesh = grid_->grid().mesh();
-  result_.smallest_solid_angle = result_.smallest_aspect_ratio = result_.smallest_d_over_sqrt_a = HUGE_VAL;
-  for (const auto& [a, b, c, d] : result_.mesh.tets) {
-    const auto& x = result_.mesh.points;
-    const std::array corners{x[a], x[b], x[c], x[d]};
-    const auto lower = [](double& least, double value) { least = std::min(least, value); };
-    lower(result_.smallest_solid_angle, solid_angle_of(smallest_solid_angle(corners)));
-    lower(result_.smallest_aspect_ratio, aspect_ratio(corners));
-    lower(result_.smallest_d_over_sqrt_a, dimensionless_aspect_ratio(corners));
-  }
+  find_worst(result_);
   for (Index p = 0; p < grid_->grid().points(); ++p)
     result_.on_surface.push_back(grid_->grid().on_surface(p));
   return std::move(result_);

@@ -23,6 +23,7 @@ class Insertion {
 
   const WeightedGrid& grid() const { return *grid_; }
   const Adaptation& so_far() const { return result_; }
+  double e_avg_goal() const { return e_avg_goal_; }  ///< [length^3]; 0: none
 
   /// Applies eq. (3.5) and the rules for stopping, in the order: points, E_avg, stalled, no gain, dilution.
   /// Before the last two rules, candidates whose split would degenerate are refused (reading D18).

@@ -13,6 +13,9 @@
 #endif
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -54,6 +57,38 @@ struct TrueSurface::Tree {
   const TriangleSurface& surface;
   Triangles triangles;
   AabbTree tree;
+
+  std::array<Eigen::Vector3d, 3> corners(std::size_t triangle) const {
+    const auto& [a, b, c] = surface.triangles[triangle];
+    return {surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+  }
+
+  // The triangle with the smallest distance in doubles; of several the one whose sorted coordinates are
+  // smallest (reading D12). The tree's own answer only bounds the distance.
+  std::size_t closest_triangle(const Eigen::Vector3d& p) const {
+    const auto squared_distance = [&](const std::array<Eigen::Vector3d, 3>& t) {
+      return (closest_point(t, p) - p).squaredNorm();
+    };
+    const auto first = tree.closest_point_and_primitive(cgal_point(p)).second;
+    std::size_t best = first - triangles.cbegin();
+    double least = squared_distance(corners(best));
+    const double reach = std::sqrt(least) + 1e-12 * (p.cwiseAbs().maxCoeff() + std::sqrt(least));
+    std::vector<AabbTree::Primitive_id> near;
+    tree.all_intersected_primitives(CGAL::Bbox_3(p.x() - reach, p.y() - reach, p.z() - reach, p.x() + reach,
+                                                 p.y() + reach, p.z() + reach),
+                                    std::back_inserter(near));
+    for (const auto& primitive : near) {
+      const std::size_t candidate = primitive - triangles.cbegin();
+      const auto t = corners(candidate);
+      const double now = squared_distance(t);
+      const auto less = [&] {
+        const auto a = sorted_corners(t), b = sorted_corners(corners(best));
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lexicographically_less);
+      };
+      if (now < least || (now == least && less())) least = now, best = candidate;
+    }
+    return best;
+  }
 };
 
 TrueSurface::TrueSurface(const TriangleSurface& surface) : tree_(new Tree{surface, {}, {}}) {
@@ -69,11 +104,8 @@ TrueSurface::TrueSurface(const TriangleSurface& surface) : tree_(new Tree{surfac
 TrueSurface::~TrueSurface() = default;
 
 Eigen::Vector3d TrueSurface::operator()(const Eigen::Vector3d& point) const {
-  const auto primitive = tree_->tree.closest_point_and_primitive(cgal_point(point)).second;
-  const auto triangle = primitive - tree_->triangles.cbegin();
-  const auto& [a, b, c] = tree_->surface.triangles[triangle];
-  const auto& x = tree_->surface.vertices;
-  const std::array corners{x[a], x[b], x[c]};
+  const std::size_t triangle = tree_->closest_triangle(point);
+  const auto corners = tree_->corners(triangle);
   const Eigen::Vector3d weights = barycentric(corners, closest_point(corners, point));
   const auto& [ua, ub, uc] = tree_->surface.parameters[triangle];
   const Eigen::Vector3d mapped = tree_->surface.evaluate(weights[0] * ua + weights[1] * ub + weights[2] * uc);

@@ -39,14 +39,10 @@ Split split_at(const Triangulation& grid, Index tet, int row, const std::vector<
   return split;
 }
 
-int row_named(std::string_view name) {
-  for (std::size_t r = 0; r < tables::table4.size(); ++r)
-    if (tables::table4[r].name == name) return static_cast<int>(r);
-  return -1;
-}
-
-const int row_0 = row_named("0"), row_1 = row_named("1"), row_2a = row_named("2a"), row_2b = row_named("2b"),
-          row_3a = row_named("3a"), row_3b = row_named("3b"), row_4a = row_named("4a");
+constexpr int row_0 = tables::table4_row("0"), row_1 = tables::table4_row("1"),
+              row_2a = tables::table4_row("2a"), row_2b = tables::table4_row("2b"),
+              row_3a = tables::table4_row("3a"), row_3b = tables::table4_row("3b"),
+              row_4a = tables::table4_row("4a");
 
 }  // namespace
 

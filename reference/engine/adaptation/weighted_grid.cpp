@@ -12,8 +12,8 @@
 namespace tetproof::reference {
 
 WeightedGrid::WeightedGrid(Triangulation grid, const Weighting& weighting,
-                           const std::vector<double>& distances, MapToSurface to_surface)
-    : grid_(std::move(grid)), weighting_(weighting), to_surface_(std::move(to_surface)) {
+                           const std::vector<double>& distances, MapToSurface to_surface, bool literal)
+    : grid_(std::move(grid)), weighting_(weighting), to_surface_(std::move(to_surface)), literal_(literal) {
   weights_.resize(grid_.numbers());
   tbb::parallel_for(Index{0}, grid_.numbers(),
                     [&](Index t) { weights_[t] = weighting_.weigh(grid_.corner_points(t), distances[t]); });
@@ -123,7 +123,7 @@ std::optional<Candidate> WeightedGrid::best() {
     for (int q = 0; q < 3; ++q) {
       while (!queues_[q].empty() && !grid_.alive(queues_[q].top().tet)) queues_[q].pop();
       if (queues_[q].empty()) continue;
-      averages[q] = average_error_after_split(sum(), queues_[q].top().change, grid_.tets(), q + 2);
+      averages[q] = e_avg_after(queues_[q].top().change, q + 2);
       if (chosen < 0 || averages[q] < averages[chosen] ||
           (averages[q] == averages[chosen] && queues_[q].top().tet < queues_[chosen].top().tet))
         chosen = q;

@@ -13,20 +13,6 @@
 
 namespace tetproof::reference {
 
-/// A sum of doubles with Neumaier's compensation, so that its error does not grow with the number of terms.
-class CompensatedSum {
- public:
-  void add(double x) {
-    const double t = sum_ + x;
-    lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - t) + x : (x - t) + sum_;
-    sum_ = t;
-  }
-  double value() const { return sum_ + lost_; }
-
- private:
-  double sum_ = 0, lost_ = 0;
-};
-
 /// Maps the place of a new surface point to the parametric surface. Empty: the point stays where Table 4 puts
 /// it.
 using MapToSurface = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
@@ -44,9 +30,9 @@ struct Candidate {
 class WeightedGrid {
  public:
   /// Computes the weight of every tetrahedron from its distance, eq. (3.2). `weighting` must outlive this
-  /// object.
+  /// object. `literal`: the E'_avg of every split is a mean over L+3 tetrahedra.
   WeightedGrid(Triangulation grid, const Weighting& weighting, const std::vector<double>& distances,
-               MapToSurface to_surface);
+               MapToSurface to_surface, bool literal = false);
 
   const Triangulation& grid() const { return grid_; }
   const Weight& weight(Index tet) const { return weights_[tet]; }
@@ -57,9 +43,7 @@ class WeightedGrid {
   Candidate candidate(Index tet) const;
   /// The same for a given split that Table 4 allows. Its point is not moved.
   Candidate candidate(Index tet, const Split& split) const;
-  double e_avg_after(const Candidate& c) const {
-    return average_error_after_split(sum(), c.change, grid_.tets(), c.split.pieces);
-  }
+  double e_avg_after(const Candidate& c) const { return e_avg_after(c.change, c.split.pieces); }
   /// The candidate with the smallest E'_avg, and of equal ones the lowest-numbered tetrahedron (reading D16).
   /// The result is the same as that of a search through all tetrahedra that are not refused, in logarithmic
   /// time.
@@ -89,6 +73,9 @@ class WeightedGrid {
   };
   using Queue = std::priority_queue<Entry>;
 
+  double e_avg_after(double change, int pieces) const {
+    return average_error_after_split(sum(), change, grid_.tets(), literal_ ? 4 : pieces);
+  }
   std::array<Eigen::Vector3d, 4> piece(const std::array<Eigen::Vector3d, 4>& corners, const Split& split,
                                        int k) const;
   bool pieces_positive(Index tet, const Split& split) const;
@@ -100,6 +87,7 @@ class WeightedGrid {
   Triangulation grid_;
   const Weighting& weighting_;
   MapToSurface to_surface_;
+  bool literal_;
   std::optional<BoundaryFaces> boundary_;  // only with a parametric surface
   std::unordered_set<Index> left_;         // tetrahedra whose new point must not be moved
   std::vector<Weight> weights_;            // by the number of the tetrahedron

@@ -6,7 +6,7 @@
 
 #include "io/triangle_surface.hpp"
 #include "reference/engine/adaptation/vertex_tree.hpp"
-#include "reference/engine/adaptation/weights.hpp"
+#include "reference/equations.hpp"
 
 namespace tetproof::reference {
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace tetproof::reference {
 
@@ -29,7 +30,7 @@ std::array<Vector3d, 3> sorted_corners(std::array<Vector3d, 3> triangle) {
 }
 
 Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
-  const auto [a, b, c] = sorted_corners(triangle);
+  const auto [a, b, c] = sorted_corners(std::move(triangle));
   Vector3d best = closest_on_segment(a, b, p);
   const auto consider = [&](const Vector3d& q) {
     const double now = (q - p).squaredNorm(), before = (best - p).squaredNorm();

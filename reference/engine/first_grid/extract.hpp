@@ -12,11 +12,6 @@
 
 namespace tetproof::reference {
 
-/// The rule for the diagonal of a quadrilateral that two lattice tetrahedra share (reading D9). `lowest`: the
-/// diagonal that starts at the lower-numbered interior vertex. `shortest`: the shorter diagonal; lengths
-/// whose relative difference is below 1e-12 are equal, and then the rule is `lowest`.
-enum class Diagonals { lowest, shortest };
-
 /// What a point of the grid is.
 enum class Origin : std::uint8_t { lattice_vertex, cut, centroid };
 

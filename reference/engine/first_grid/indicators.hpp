@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "reference/engine/first_grid/intersections.hpp"
+#include "reference/options.hpp"
 #include "reference/tables.hpp"
 
 namespace tetproof::reference {
-
-enum class Region { inside, outside };
 
 /// Lattice vertices that were moved to the surface and stay 0 (reading D4), ascending, each with its new
 /// place.

@@ -133,6 +133,13 @@ std::optional<std::array<Rational, 2>> overlap(const Segment& s, const Triangle&
 
 using Hits = std::vector<EdgeHit>::const_iterator;
 
+// Whether a coplanar triangle has a part of the open edge.
+bool lies_along(const Segment& s, const TriangleSurface& surface, const EdgeHit& hit) {
+  if (!hit.along) return false;
+  const auto common = overlap(s, corners(surface, hit.triangle));
+  return common && (*common)[0] < 1 && (*common)[1] > 0;
+}
+
 // The general case. Points and overlaps are closed intervals; they are united, and the ends of the united
 // intervals that lie inside (0,1) are counted.
 EdgeIntersections unite(const Segment& s, const TriangleSurface& surface, Hits first, Hits last) {
@@ -169,6 +176,7 @@ EdgeIntersections unite(const Segment& s, const TriangleSurface& surface, Hits f
 EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits first, Hits last) {
   std::vector<Crossing> crossings;
   for (Hits hit = first; hit != last; ++hit) {
+    if (hit->along) continue;
     const Triangle sorted = sorted_corners(corners(surface, hit->triangle));
     crossings.push_back({sorted, place(s, sorted), {}, false});
   }
@@ -182,6 +190,7 @@ EdgeIntersections order(const Segment& s, const TriangleSurface& surface, Hits f
                                      [&](Crossing* a, Crossing* b) { return compare(*a, *b, s) < 0; });
     if (at == distinct.end() || compare(crossing, **at, s) != 0) distinct.insert(at, &crossing);
   }
+  if (distinct.empty()) return {first->edge, 0, {}, {}};
   return {first->edge, static_cast<int>(distinct.size()), point_at(s, distinct.front()->at),
           point_at(s, distinct.back()->at)};
 }
@@ -201,7 +210,8 @@ std::vector<EdgeIntersections> intersect_edges(const Lattice& lattice, const Tri
   tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t n) {
     const Hits first = hits.begin() + runs[n][0], last = hits.begin() + runs[n][1];
     const Segment s{lattice.point(lattice.low(first->edge)), lattice.point(lattice.high(first->edge))};
-    const bool along = std::any_of(first, last, [](const EdgeHit& hit) { return hit.along; });
+    const bool along =
+        std::any_of(first, last, [&](const EdgeHit& hit) { return lies_along(s, surface, hit); });
     all[n] = along ? unite(s, surface, first, last) : order(s, surface, first, last);
   });
   std::erase_if(all, [](const EdgeIntersections& e) { return e.count == 0; });

@@ -8,12 +8,9 @@
 #include <cmath>
 
 #include "io/error.hpp"
+#include "reference/equations.hpp"
 
 namespace tetproof::reference {
-
-double eq_2_1(double x0, double x1, double t) {
-  return (1 - t) * x0 + t * x1;
-}
 
 int Lattice::cell_of(int axis, double x) const {
   const std::vector<double>& plane = planes[axis];
@@ -44,7 +41,8 @@ Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, d
   if (cells[0] > 0 && cells[1] == 0 && cells[2] == 0) {
     const int along_longest = cells[0];
     for (int axis = 0; axis < 3; ++axis)
-      cells[axis] = std::max(1, static_cast<int>(std::lround(along_longest * sides[axis] / longest)));
+      cells[axis] = std::max(std::min(4, along_longest),
+                             static_cast<int>(std::lround(along_longest * sides[axis] / longest)));
   }
   double vertices = 1;
   for (const int n : cells) {

@@ -52,10 +52,6 @@ struct Lattice {
   int cell_of(int axis, double x) const;
 };
 
-/// Eq. (2.1) for one coordinate: (1-t) X_0 + t X_1. The sum over I, J, K of eq. (2.1) is the product of three
-/// of these, because the edges of the box are parallel to the axes.
-double eq_2_1(double x0, double x1, double t);
-
 /// The corners of the six tetrahedra of a cell (reading D2). A corner is a sum of bits: 1 for x, 2 for y, 4
 /// for z. Each tetrahedron walks from corner 0 to corner 7 along the axes in one order: xyz, xzy, yxz, yzx,
 /// zxy, zyx. So its vertices ascend in number.
@@ -66,9 +62,9 @@ inline constexpr std::array<int, 6> kuhn_signs{1, -1, -1, 1, 1, -1};
 
 /// The lattice in the surface's box, scaled about its centre by `box_scale` > 1 (reading D1). `cells` gives
 /// three numbers of cells; or one number, for the longest side, and two zeros, and then the other two are
-/// chosen so that the cells come closest to cubes. Throws InputError if a number is out of range, the longest
-/// side of the box is not between 1e-90 and 1e90, the lattice has more than 4e8 vertices, or two planes
-/// coincide in double precision.
+/// chosen so that the cells come closest to cubes, at least 4 (or as many as along the longest side). Throws
+/// InputError if a number is out of range, the longest side of the box is not between 1e-90 and 1e90, the
+/// lattice has more than 4e8 vertices, or two planes coincide in double precision.
 Lattice make_lattice(const TriangleSurface& surface, std::array<int, 3> cells, double box_scale);
 
 }  // namespace tetproof::reference

@@ -19,11 +19,12 @@ namespace {
 
 using test::told;
 
-// VTK and meshio see the same points, cells and names of values, and do not warn. (With NumPy 2 of Debian 13 Python
-// warns of an overflow in meshio's own guess whether an STL file is binary.)
+// VTK and meshio see the same points, cells and names of values, and do not warn. (With NumPy 2 of Debian 13
+// Python warns of an overflow in meshio's own guess whether an STL file is binary.)
 TEST(SurfaceDocuments, VtkAndMeshioReadWhatWeWrite) {
   const test::TestFiles files;
-  const std::string python = "/usr/bin/python3 -W ignore::RuntimeWarning ", quiet = " > " + files.path("out") + " 2>&1";
+  const std::string python = "/usr/bin/python3 -W ignore::RuntimeWarning ",
+                    quiet = " > " + files.path("out") + " 2>&1";
   if (std::system((python + "-c 'import vtk, meshio'" + quiet).c_str()) != 0)
     GTEST_SKIP() << "python3-vtk9 or python3-meshio is not here";
   const std::string script = files.write("read.py", R"(

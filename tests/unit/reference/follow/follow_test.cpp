@@ -1,89 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Following a trace: our own trace is admissible to its end, and every changed decision is found at its
-// record.
+// Following a trace through step (vi): our own trace is admissible to its end, and every changed decision is
+// found at its record.
 #include "reference/follow/follow.hpp"
 
-#include <gtest/gtest.h>
+#include <algorithm>
 
-#include <filesystem>
-#include <fstream>
-
-#include "corpus/surfaces.hpp"
-#include "io/error.hpp"
-#include "reference/generate.hpp"
+#include "tests/unit/reference/follow/followed.hpp"
 
 namespace tetproof::reference {
 namespace {
 
 using trace::Record;
 
-struct Run {
-  TriangleSurface surface;
-  Options options;
-  std::vector<Record> records;
-};
-
-const Run& run() {
-  static const Run made = [] {
-    Run r{corpus::make_surface("sphere:r=1,n=300"),
-          {.cells = {5, 0, 0}, .adapt = AdaptOptions{.v0 = {0.2}, .v1 = {1}, .improve_below = 0.01}},
-          {}};
-    Options options = r.options;
-    options.listener.record = [&](const Record& record) { r.records.push_back(record); };
-    generate(r.surface, options);
-    return r;
-  }();
-  return made;
-}
-
-class FollowTest : public testing::Test {
- protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  Follow follow_records(const std::vector<Record>& records) {
-    {
-      std::ofstream file(path_);
-      for (const Record& record : records) file << trace::to_line(record) << '\n';
-    }
-    Options options = run().options;
-    options.follow = path_;
-    const Generation made = generate(run().surface, options);
-    last_ = made.adaptation->insertions;
-    return *made.follow;
-  }
-
-  // The position of the n-th record of a kind, from 0.
-  template <class Kind>
-  static std::size_t find(const std::vector<Record>& records, std::size_t n) {
-    for (std::size_t i = 0; i < records.size(); ++i)
-      if (std::holds_alternative<Kind>(records[i]) && n-- == 0) return i;
-    throw std::logic_error("too few records for this test");
-  }
-
-  // Expects the change to be found at record `at`, with these words.
-  void expect_found(const std::vector<Record>& records, std::size_t at, const std::string& words) {
-    const Follow outcome = follow_records(records);
-    EXPECT_FALSE(outcome.admissible);
-    EXPECT_EQ(outcome.line, static_cast<std::int64_t>(at) + 1);
-    EXPECT_NE(outcome.what.find(words), std::string::npos) << outcome.what;
-  }
-
-  std::string path_ = testing::TempDir() + "tetproof-follow-" + std::to_string(::getpid()) + ".jsonl";
-  std::int64_t last_ = 0;
-};
-
 TEST_F(FollowTest, OurOwnTraceIsAdmissibleToTheEnd) {
-  const Follow outcome = follow_records(run().records);
-  EXPECT_TRUE(outcome.admissible) << outcome.what;
-  EXPECT_EQ(outcome.ties, 0);
-  EXPECT_GT(last_, 100);
-  const auto& end = std::get<trace::End>(run().records.back());
-  EXPECT_EQ(last_, end.insertions);
+  const Generation made = generate_along(sphere().records);
+  EXPECT_TRUE(made.follow->admissible) << made.follow->what;
+  EXPECT_EQ(made.follow->ties, 0);
+  EXPECT_EQ(made.follow->not_checked, std::vector<std::string>{"settings"});
+  EXPECT_GT(made.adaptation->insertions, 100);
+  const auto& end = std::get<trace::End>(sphere().records.back());
+  EXPECT_EQ(made.adaptation->insertions, end.insertions);
   EXPECT_GT(end.flips, 10);
 }
 
 TEST_F(FollowTest, CoordinatesOfAnotherRoundingAreAdopted) {
-  auto records = run().records;
+  auto records = sphere().records;
   const auto nudge = [](Eigen::Vector3d& p) { p = (p * (1 + 1e-13)).eval(); };
   for (Record& record : records) {
     if (auto* weight = std::get_if<trace::Weight>(&record))
@@ -102,7 +43,7 @@ TEST_F(FollowTest, CoordinatesOfAnotherRoundingAreAdopted) {
 }
 
 TEST_F(FollowTest, AnInsertionLeftOut) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Insertion>(records, 20);
   records.erase(records.begin() + static_cast<std::ptrdiff_t>(at));
   std::size_t next = at;
@@ -115,21 +56,21 @@ TEST_F(FollowTest, AnInsertionLeftOut) {
 }
 
 TEST_F(FollowTest, AWrongRow) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Insertion>(records, 7);
   std::get<trace::Insertion>(records[at]).row = "4b";
   expect_found(records, at, "of Table 4, not 4b");
 }
 
 TEST_F(FollowTest, APointElsewhere) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Insertion>(records, 7);
   std::get<trace::Insertion>(records[at]).point.x() += 1e-6;
   expect_found(records, at, "insertion 8: row");
 }
 
 TEST_F(FollowTest, AnotherSimplex) {
-  auto records = run().records;
+  auto records = sphere().records;
   std::size_t n = 0, at = 0;
   do at = find<trace::Insertion>(records, n++);
   while (std::get<trace::Insertion>(records[at]).row != "3b");
@@ -140,21 +81,35 @@ TEST_F(FollowTest, AnotherSimplex) {
 }
 
 TEST_F(FollowTest, AWrongAverage) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Insertion>(records, 30);
   std::get<trace::Insertion>(records[at]).e_avg *= 1.001;
   expect_found(records, at, "insertion 31: E'avg, eq. (3.5)");
 }
 
+// With `literal`, E'avg is a mean over L+3 tetrahedra, but a trace states the average after the split.
+TEST_F(FollowTest, AveragesWhereLPlus3IsTakenLiterally) {
+  const TracedRun run("terrain:seed=5,m=3", {.cells = {4, 4, 4},
+                                             .box_scale = 4.0 / 3,
+                                             .literal = true,
+                                             .adapt = AdaptOptions{.points = 100, .v0 = {0.1}, .v1 = {1}}});
+  auto records = run.records;
+  std::size_t n = 0;
+  while (get<trace::Insertion>(records, n).replaced.size() == 4) ++n;
+  expect_admissible(records, run);
+  get<trace::Insertion>(records, n).e_avg *= 1 + 1e-6;
+  expect_found(records, find<trace::Insertion>(records, n), "E'avg, eq. (3.5), is ", run);
+}
+
 TEST_F(FollowTest, AWorseTetrahedron) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t first = find<trace::Insertion>(records, 0), later = find<trace::Insertion>(records, 40);
   std::swap(records[first], records[later]);
   expect_found(records, first, "insertion 1: ");
 }
 
 TEST_F(FollowTest, AFlipLeftOut) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Flip>(records, 0);
   records.erase(records.begin() + static_cast<std::ptrdiff_t>(at));
   const Follow outcome = follow_records(records);
@@ -164,7 +119,7 @@ TEST_F(FollowTest, AFlipLeftOut) {
 }
 
 TEST_F(FollowTest, AFlipThatIsNone) {
-  auto records = run().records;
+  auto records = sphere().records;
   const std::size_t at = find<trace::Flip>(records, 0);
   auto& flip = std::get<trace::Flip>(records[at]);
   flip.two_to_three = !flip.two_to_three;
@@ -172,62 +127,103 @@ TEST_F(FollowTest, AFlipThatIsNone) {
 }
 
 TEST_F(FollowTest, AnEndTooSoonOrForAnotherReason) {
-  auto records = run().records;
+  auto records = sphere().records;
   const trace::End end = std::get<trace::End>(records.back());
   const std::size_t at = find<trace::Insertion>(records, 50);
   records.resize(at);
   records.push_back(end);
   expect_found(records, at, "can still be split");
-  records = run().records;
+  records = sphere().records;
   std::get<trace::End>(records.back()).stopped = "stalled";
   expect_found(records, records.size() - 1, "not stalled");
 }
 
-TEST_F(FollowTest, WeightsOfStepV) {
-  const auto change = [&](auto&& edit, const std::string& words) {
-    auto records = run().records;
-    edit(std::get<trace::Weight>(records[find<trace::Weight>(records, 3)]));
-    const Follow outcome = follow_records(records);
-    EXPECT_FALSE(outcome.admissible);
-    EXPECT_NE(outcome.what.find(words), std::string::npos) << outcome.what;
-  };
-  change([](trace::Weight& w) { w.d *= 1.01; }, "d, eq. (3.2)");
-  change([](trace::Weight& w) { w.omega = 0.5; }, "omega, eq. (3.6)");
-  change([](trace::Weight& w) { w.volume *= 1.01; }, "V of the tetrahedron");
-  change([](trace::Weight& w) { w.desired *= 1.01; }, "V(d), eq. (3.1)");
-  change([](trace::Weight& w) { w.error = 0; }, "E, eq. (3.3)");
-  change([](trace::Weight& w) { w.tet[0].x() += 1; }, "there is no point");
-  auto records = run().records;
-  std::get<trace::FirstGrid>(records[find<trace::FirstGrid>(records, 0)]).d1 *= 2;
-  EXPECT_NE(follow_records(records).what.find("d1 is"), std::string::npos);
+TEST_F(FollowTest, AnotherNumberOfTheInsertion) {
+  auto records = sphere().records;
+  const std::size_t at = find<trace::Insertion>(records, 7);
+  std::get<trace::Insertion>(records[at]).n = 9;
+  expect_found(records, at, "insertion 8: the trace calls it 9");
 }
 
-TEST_F(FollowTest, OtherSettings) {
+TEST_F(FollowTest, FalseQualitiesOfAFlip) {
+  for (const bool before : {true, false})
+    for (const double factor : {1 + 1e-6, -1.0, 0.0}) {
+      auto records = sphere().records;
+      const std::size_t at = find<trace::Flip>(records, 3);
+      auto& flip = std::get<trace::Flip>(records[at]);
+      (before ? flip.quality_before : flip.quality_after) *= factor;
+      expect_found(records, at,
+                   before ? "the smallest quality before the " : "the smallest quality after the ");
+    }
+}
+
+TEST_F(FollowTest, AFalseAverageAfterAFlip) {
+  auto records = sphere().records;
+  const std::size_t at = find<trace::Flip>(records, 3);
+  std::get<trace::Flip>(records[at]).e_avg *= 1 + 1e-6;
+  expect_found(records, at, "E_avg is ");
+}
+
+TEST_F(FollowTest, FlipsInAnotherOrder) {
+  auto records = sphere().records;
+  std::size_t at = 0;
+  for (std::size_t n = 0;; ++n) {
+    at = find<trace::Flip>(records, n);
+    if (std::holds_alternative<trace::Flip>(records[at + 1])) break;
+  }
+  std::swap(records[at], records[at + 1]);
+  expect_found(records, at, "flip after insertion ");
+}
+
+TEST_F(FollowTest, AFlipTwice) {
+  auto records = sphere().records;
+  const std::size_t at = find<trace::Flip>(records, 0);
+  insert(records, at, records[at]);
+  expect_found(records, at + 1, "is not one of a strictly convex hexahedron within O_i");
+}
+
+TEST_F(FollowTest, NumbersOfTheEnd) {
   const auto change = [&](auto&& edit, const std::string& words) {
-    auto records = run().records;
-    trace::Settings settings{.parametric = true, .improve = "solid-angle", .improve_below = 0.01};
-    edit(settings);
-    records.insert(records.begin(), settings);
-    const Follow outcome = follow_records(records);
-    EXPECT_EQ(outcome.admissible, words.empty()) << outcome.what;
-    EXPECT_NE(outcome.what.find(words), std::string::npos) << outcome.what;
+    auto records = sphere().records;
+    edit(get<trace::End>(records));
+    expect_found(records, records.size() - 1, words);
   };
-  change([](trace::Settings&) {}, "");
-  change([](trace::Settings& s) { s.points = "500"; }, "");
-  change([](trace::Settings& s) { s.parametric = false; },
-         "settings: the trace has parametric false, this run true");
-  change([](trace::Settings& s) { s.region = "outside"; }, "the trace has region outside, this run inside");
-  change([](trace::Settings& s) { s.p = 3; }, "the trace has p 3, this run 1");
-  change([](trace::Settings& s) { s.improve_below = 0.002; }, "improve_below 0.002, this run 0.01");
-  change([](trace::Settings& s) { s.curvature = true; }, "curvature true");
-  change([](trace::Settings& s) { s.improve = "none"; }, "improve none, this run solid-angle");
+  change([](trace::End& end) { ++end.insertions; }, "the end: ");
+  change([](trace::End& end) { --end.flips; }, " flips, not ");
+  change([](trace::End& end) { ++end.refused; }, "the end: 0 refused splits, not 1");
+  change([](trace::End& end) { ++end.points; }, " points, not ");
+  change([](trace::End& end) { --end.tets; }, " tetrahedra, not ");
+  change([](trace::End& end) { end.e_avg *= 1 + 1e-6; }, "the end: E_avg is ");
+}
+
+TEST_F(FollowTest, ARecordAfterTheEndOrOutOfOrder) {
+  auto records = sphere().records;
+  records.push_back(records.back());
+  expect_found(records, records.size() - 1, "a 'end' record after the end");
+  records = sphere().records;
+  const std::size_t at = find<trace::Insertion>(records, 5);
+  insert(records, at, records[find<trace::Weight>(records, 0)]);
+  expect_found(records, at, "step (vi): a record of an earlier step, 'weight'");
+  records = sphere().records;
+  insert(records, find<trace::Insertion>(records, 0), records[find<trace::Flip>(records, 0)]);
+  expect_found(records, find<trace::Insertion>(records, 0) - 1, "insertion 0: a flip, although");
 }
 
 TEST_F(FollowTest, ATraceThatBreaksOffIsBadInput) {
-  auto records = run().records;
-  records.pop_back();
-  EXPECT_THROW(follow_records(records), InputError);
-  EXPECT_THROW(follow_records({}), InputError);
+  const auto message = [&](std::size_t length) {
+    auto records = sphere().records;
+    records.resize(length);
+    return files.message([&] { follow_records(records); });
+  };
+  const Records& all = sphere().records;
+  EXPECT_EQ(message(0),
+            "trace.jsonl:0: expected an 'end' record, found the end of the file: the trace breaks off");
+  for (const std::size_t length :
+       {find<trace::Cut>(all, 3), find<trace::FirstGrid>(all, 0), find<trace::Weight>(all, 5),
+        find<trace::Insertion>(all, 0), find<trace::Insertion>(all, 30), all.size() - 1}) {
+    const std::string said = message(length);
+    EXPECT_EQ(said.substr(0, said.find(": expected")), "trace.jsonl:" + std::to_string(length));
+  }
 }
 
 }  // namespace

@@ -41,12 +41,14 @@ TEST(Equation21, IsTheSumOverTheEightCornersOfTheBox) {
 
 TEST(Lattice, BoxIsScaledAboutItsCentre) {
   const Lattice lattice = make_lattice(surface_with_box({0, 0, 0}, {4, 2, 1}), {8, 0, 0}, 1.5);
-  EXPECT_EQ(lattice.cells, (std::array{8, 4, 2}));  // cubes of 0.75
+  EXPECT_EQ(lattice.cells, (std::array{8, 4, 4}));  // cubes of 0.75, but at least four cells a side
   EXPECT_EQ(lattice.planes[0].front(), -1);
   EXPECT_EQ(lattice.planes[0].back(), 5);
   EXPECT_EQ(lattice.planes[1].front(), -0.5);
   EXPECT_EQ(lattice.planes[2].back(), 1.25);
-  EXPECT_DOUBLE_EQ(lattice.shortest_edge, 0.75);
+  EXPECT_DOUBLE_EQ(lattice.shortest_edge, 0.375);
+  EXPECT_EQ(make_lattice(surface_with_box({0, 0, 0}, {4, 2, 1}), {3, 0, 0}, 1.5).cells,
+            (std::array{3, 3, 3}));
 }
 
 TEST(Lattice, NumbersVerticesAsReadingD3) {
