@@ -162,7 +162,7 @@ class Weights : public Section2 {
       forms.row(i) << u * u / 2, u * w, w * w / 2;
       heights[i] = o.dot(n);
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(forms);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(std::as_const(forms));
     qr.setThreshold(1e-9);
     if (qr.rank() < 3) return std::nullopt;
     const Eigen::Vector3d c = qr.solve(heights) / scale;
