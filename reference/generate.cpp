@@ -34,21 +34,14 @@ trace::End end_of(const Generation& made) {
   return end;
 }
 
-// The options with a number of cells for which the grid is not empty, if there is one up to `most_cells`.
+// The options for a grid that is not empty, for the page: the fast engine tells how many cells that takes.
 Options with_enough_cells(const TriangleSurface& surface, Options options) {
-  Options first_grid_only = options;
-  first_grid_only.adapt.reset();
-  first_grid_only.follow.clear();
-  first_grid_only.listener = {};
-  first_grid_only.raise_cells = false;
-  first_grid_only.engine = Engine::fast;
-  for (int cells = options.cells[0]; cells <= Options::most_cells; cells *= 2) {
-    first_grid_only.cells[0] = cells;
-    if (!generate(surface, first_grid_only).grid.mesh.tets.empty()) {
-      options.cells[0] = cells;
-      break;
-    }
-  }
+  Options first_grid = options;
+  first_grid.engine = Engine::fast;
+  first_grid.adapt.reset();
+  first_grid.listener = {};
+  const Generation made = generate(surface, first_grid);
+  options.cells[0] = *std::max_element(made.lattice.cells.begin(), made.lattice.cells.end());
   options.raise_cells = false;
   return options;
 }
@@ -59,8 +52,8 @@ Generation generate(const TriangleSurface& given, const Options& options) {
   check(options);
   const std::optional<TriangleSurface> used = io::without_unused_vertices(given);
   const TriangleSurface& surface = used ? *used : given;
-  if (options.raise_cells) return generate(surface, with_enough_cells(surface, options));
-  if (options.engine == Engine::paper) return generate_by_page(surface, options);
+  if (options.engine == Engine::paper)
+    return generate_by_page(surface, options.raise_cells ? with_enough_cells(surface, options) : options);
   const double tolerance = options.literal ? 0 : options.on_surface;
   const auto phase = [&](std::string_view name) {
     if (options.listener.phase) options.listener.phase(name);
@@ -124,6 +117,12 @@ Generation generate(const TriangleSurface& given, const Options& options) {
       to_mend = vertices_to_mend(lattice, surface, indicators, settled, result.grid, bad);
     // No tetrahedron is bad, or none of the bad ones may or can be mended; then the verifier will name them.
     if (to_mend.empty()) {
+      if (options.raise_cells && result.grid.mesh.tets.empty() &&
+          2 * options.cells[0] <= Options::most_cells) {
+        Options finer = options;
+        finer.cells[0] *= 2;
+        return generate(surface, finer);
+      }
       if (record) record_first_steps(first_steps(lattice, indicators, settled, mended, result.grid), record);
       break;
     }

@@ -38,16 +38,21 @@ std::string about(const Key& key) {
     case rows:
       return fmt::format("step (iv): the rows of Table 2 of the cell {}", text(first));
     default:
-      return fmt::format("reading D12: the mapped point {}", key[1] + 1);
+      return key[1] < 0 ? "reading D12: a mapped point at another place"
+                        : fmt::format("reading D12: the mapped point {}", key[1] + 1);
   }
 }
 
 class FirstStepsCheck {
  public:
   explicit FirstStepsCheck(const std::vector<trace::Record>& ours) {
-    for (const trace::Record& record : ours)
+    std::vector<trace::Point> places;
+    for (const trace::Record& record : ours) {
       if (const auto* box = std::get_if<trace::Lattice>(&record))
         reach_ = same_place * (box->box[1] - box->box[0]).norm();
+      if (const auto* point = std::get_if<trace::Mapped>(&record)) places.push_back(point->from);
+    }
+    if (!places.empty()) mapped_.emplace(std::move(places));
     for (const trace::Record& record : ours)
       if (const auto key = key_of(record)) ours_.emplace(*key, Own{record});
   }
@@ -61,20 +66,21 @@ class FirstStepsCheck {
     seen_[(*key)[0]] = true;
     const auto own = ours_.find(*key);
     if (own == ours_.end()) throw Divergence{about(*key) + ": this run has no such record"};
-    if (own->second.second++) throw Divergence{about(*key) + ": stands twice"};
+    if (own->second.found) throw Divergence{about(*key) + ": stands twice"};
+    own->second.found = true;
     std::visit(
         [&](const auto& record) {
           using R = std::decay_t<decltype(record)>;
-          compare(*key, record, std::get<R>(own->second.first));
+          compare(*key, record, std::get<R>(own->second.record));
         },
         theirs);
     return true;
   }
 
-  // What the trace does not have. `rest`: whether all records were read.
+  // To be called when all records are taken: throws Divergence for one that the trace does not have.
   void end(std::vector<std::string>& not_checked) const {
     for (const auto& [key, own] : ours_) {
-      if (own.second) continue;
+      if (own.found) continue;
       const bool always_there = key[0] == indicators || key[0] == cut || key[0] == rows;
       if (!always_there || seen_[key[0]]) throw Divergence{about(key) + ": the trace has no such record"};
     }
@@ -86,11 +92,11 @@ class FirstStepsCheck {
 
  private:
   struct Own {
-    trace::Record first;
-    int second = 0;  // how often the trace has it
+    trace::Record record;
+    bool found = false;  // whether the trace has it
   };
 
-  std::optional<Key> key_of(const trace::Record& record) {
+  std::optional<Key> key_of(const trace::Record& record) const {
     const auto key = [](int kind, const std::array<int, 3>& a, const std::array<int, 3>& b = {}) {
       return Key{kind, a[0], a[1], a[2], b[0], b[1], b[2]};
     };
@@ -107,13 +113,12 @@ class FirstStepsCheck {
     return std::nullopt;
   }
 
-  // Mapped points are known by the place that they come from: the same number for the same place.
-  int mapped_number(const trace::Point& from) {
-    const auto near = std::find_if(mapped_.begin(), mapped_.end(),
-                                   [&](const trace::Point& p) { return (p - from).norm() <= reach_; });
-    const auto number = static_cast<int>(near - mapped_.begin());
-    if (near == mapped_.end()) mapped_.push_back(from);
-    return number;
+  // A mapped point is known by the place that it comes from. The number of ours at this place; -1: there is
+  // none.
+  int mapped_number(const trace::Point& from) const {
+    if (!mapped_ || !from.allFinite()) return -1;
+    const double distance = mapped_->distance(from);
+    return distance <= reach_ ? mapped_->nearest(from, distance) : -1;
   }
 
   void same(const Key& key, const trace::Point& theirs, const trace::Point& ours) const {
@@ -154,7 +159,7 @@ class FirstStepsCheck {
   void compare(const Key&, const R&, const R&) const {}  // has no key
 
   double reach_ = 0;
-  std::vector<trace::Point> mapped_;
+  std::optional<VertexTree> mapped_;  // the places from which our mapped points come
   std::map<Key, Own> ours_;
   std::array<bool, names.size()> seen_{};
 };
