@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/error.hpp"
 #include "io/trace.hpp"
@@ -61,9 +62,11 @@ class TraceStream {
   const std::string& path() const { return reader_.path(); }
   void take() { next_ = reader_.next(); }
 
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError(fmt::format("{}:{}: expected {}, found {}", path(), line(), expected,
-                                 next_ ? trace::name_of(*next_) : "the end of the trace"));
+  [[noreturn]] void fail(std::string_view expected) const {
+    fail(expected, next_ ? trace::name_of(*next_) : "the end of the trace");
+  }
+  [[noreturn]] void fail(std::string_view expected, std::string_view found) const {
+    throw InputError(fmt::format("{}:{}: expected {}, found {}", path(), line(), expected, found));
   }
 
  private:

@@ -17,7 +17,8 @@ std::optional<Split> read_split(TraceStream& stream, Side side, std::int64_t n, 
     if (stream.next() && !stream.next_is<trace::End>()) stream.fail("insertion or end");
     return std::nullopt;
   }
-  if (insertion->n != n) stream.fail(fmt::format("insertion {}, after {}", n, n - 1));
+  if (insertion->n != n)
+    stream.fail(fmt::format("insertion {}", n), fmt::format("insertion {}", insertion->n));
   Split split{.insertion = *insertion, .line = stream.line()};
   std::array<int, 4> corners;
   for (int i = 0; i < 4; ++i) corners[i] = points.number(side, insertion->tet[i]);

@@ -185,7 +185,7 @@ TEST(TraceRefused, OutOfOrderOrNotInOrder) {
   EXPECT_EQ(message(records), "other.jsonl:26: expected nothing after the end, found weight");
   records = small_trace();
   at<Insertion>(records, third_insertion_line).n = 4;
-  EXPECT_EQ(message(records), "other.jsonl:23: expected insertion 3, after 2, found insertion");
+  EXPECT_EQ(message(records), "other.jsonl:23: expected insertion 3, found insertion 4");
   records = small_trace();
   records.insert(records.begin() + cut_line, records[cut_line]);
   EXPECT_EQ(message(small_trace(), records),
