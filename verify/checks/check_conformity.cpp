@@ -72,13 +72,15 @@ void check_conformity(const TetMesh& mesh, const Boundary& boundary, const Conta
     record[Check::crossed_diagonal] = crossed_diagonals(mesh, boundary, contacts.conformity.crossed);
   if (!record.wants(Check::near_contact)) return;
   const auto& pairs = contacts.near_pairs;
-  const auto distance = [&boundary, &near = contacts.near](const std::array<Index, 2>& pair) {
-    return near.diagonal() * near.between_triangles(boundary.triangles[pair[0]], boundary.triangles[pair[1]]);
+  const auto distance = [&near = contacts.near](const std::array<Index, 2>& pair) {
+    return near.between_triangles(pair[0], pair[1]);
   };
   CheckResult& result = record.result(Check::near_contact);
   for (const auto& pair : pairs) {
-    result.measured = std::min(distance(pair), result.measured.value_or(distance(pair)));
-    result.allowed = contacts.near.limit() * contacts.near.diagonal();
+    const double apart = distance(pair);
+    if (result.measured && *result.measured <= apart) continue;
+    result.measured = apart;
+    result.allowed = contacts.near.room(pair[0], pair[1]);
   }
   record[Check::near_contact] = {
       .count = pairs.size(),
@@ -88,7 +90,6 @@ void check_conformity(const TetMesh& mesh, const Boundary& boundary, const Conta
             finding.what = fmt::format("these boundary faces do not touch, but are only {:.3g} apart",
                                        distance(pairs[i]));
           },
-      .beyond = static_cast<std::size_t>(contacts.meetings.near_count) - contacts.meetings.near.size(),
       .cause =
           [&boundary, &pairs, &contacts](std::size_t i) {
             return contacts.conformity.cause_of_pair(boundary, pairs[i][0], pairs[i][1]);

@@ -7,6 +7,7 @@
 
 #include "verify/checks/evidence.hpp"
 #include "verify/checks/make_finding.hpp"
+#include "verify/triangles/chunks.hpp"
 #include "verify/triangles/winding.hpp"
 
 namespace tetproof::verify {
@@ -60,7 +61,9 @@ std::vector<CoveredFace> covered_faces(const TetMesh& mesh, const Boundary& boun
 
 ContactEvidence examine_contacts(const TetMesh& mesh, const Boundary& boundary, Record& record) {
   const Degenerate degenerate = degenerate_triangles(mesh.points, boundary.boundary_triangles());
-  ContactEvidence evidence{.near = Near(mesh.points, boundary.boundary_triangles()),
+  std::vector<Index> opposite;  // of each face, the vertex of its tetrahedron
+  for (const FaceId face : boundary.faces) opposite.push_back(mesh.tets[tet_of(face)][face & 3]);
+  ContactEvidence evidence{.near = Near(mesh.points, boundary.boundary_triangles(), opposite),
                            .meetings = {},
                            .covered = {},
                            .conformity = {},
@@ -79,8 +82,13 @@ ContactEvidence examine_contacts(const TetMesh& mesh, const Boundary& boundary, 
     evidence.conformity = find_conformity(mesh, boundary, at, meetings, evidence.near, covered);
   }
   if (record.wants(Check::near_contact))
-    for (const auto& [s, t] : meetings.near)
-      if (!one_place(boundary, at, evidence.near, s, t)) evidence.near_pairs.push_back({s, t});
+    evidence.near_pairs = collect_in_order<std::array<Index, 2>>(
+        meetings.near.size(), 1024,
+        [&](std::size_t begin, std::size_t end, std::vector<std::array<Index, 2>>& found) {
+          for (std::size_t i = begin; i < end; ++i)
+            if (const auto& [s, t] = meetings.near[i]; !one_place(boundary, at, evidence.near, s, t))
+              found.push_back(meetings.near[i]);
+        });
   return evidence;
 }
 

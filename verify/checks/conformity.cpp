@@ -136,12 +136,12 @@ std::optional<Cause> Conformity::cause_of_pair(const Boundary& boundary, Index s
 }
 
 bool one_place(const Boundary& boundary, const FacesAtVertices& at, const Near& near, Index s, Index t) {
-  const double short_edge = 1e3 * near.limit();
+  const double short_edge = 1e3 * near.room(s, t);
   constexpr std::size_t most = 200;
   const Triangle &first = boundary.triangles[static_cast<std::size_t>(s)],
                  &second = boundary.triangles[static_cast<std::size_t>(t)];
   const auto close = [&](Index v) {
-    return near.to_triangle(v, first) <= short_edge && near.to_triangle(v, second) <= short_edge;
+    return near.to_triangle(v, s) <= short_edge && near.to_triangle(v, t) <= short_edge;
   };
   std::vector<Index> reached;
   for (const Index v : first)

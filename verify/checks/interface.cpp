@@ -66,8 +66,7 @@ bool Interface::within(Index g, Index f) const {
 }
 
 bool Interface::coplanar(Index g, Index f) const {
-  return std::all_of(triangle(g).begin(), triangle(g).end(),
-                     [&](Index v) { return near_.to_plane(v, triangle(f)) <= near_.limit(); });
+  return std::all_of(triangle(g).begin(), triangle(g).end(), [&](Index v) { return near_.on_plane(v, f); });
 }
 
 bool Interface::closes(std::span<const Index> faces) const {
@@ -83,8 +82,7 @@ bool Interface::closes(std::span<const Index> faces) const {
       const Index a = triangle(f)[k], b = triangle(f)[(k + 1) % 3];
       std::vector<std::pair<double, Index>> on_edge;
       for (const Contact& c : nodes_on(f))
-        if (near_.to_segment(c.vertex, a, b) <= near_.limit())
-          on_edge.emplace_back(near_.along(c.vertex, a, b), c.vertex);
+        if (near_.on_edge(c.vertex, a, b, f)) on_edge.emplace_back(near_.along(c.vertex, a, b), c.vertex);
       std::sort(on_edge.begin(), on_edge.end());
       Index last = a;
       for (const auto& [share, v] : on_edge) run(std::exchange(last, v), v);

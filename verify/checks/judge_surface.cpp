@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 
 #include "io/bytes/words.hpp"
@@ -158,14 +159,22 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
                     component_name(report, nested[0])));
 }
 
-double area_of(const TriangleSurface& surface) {
+// The area in squares of `unit`, a power of two. Where the triangles are not far smaller than the unit, no
+// product under- or overflows.
+double area_of(const TriangleSurface& surface, double unit) {
   double sum = 0;
-  for (const Triangle& t : surface.triangles)
-    sum += (surface.vertices[t[1]] - surface.vertices[t[0]])
-               .cross(surface.vertices[t[2]] - surface.vertices[t[0]])
-               .norm() /
-           2;
+  for (const Triangle& t : surface.triangles) {
+    const Eigen::Vector3d a = surface.vertices[t[0]] / unit, b = surface.vertices[t[1]] / unit,
+                          c = surface.vertices[t[2]] / unit;
+    sum += (b - a).cross(c - a).norm() / 2;
+  }
   return sum;
+}
+
+// The power of two below the longest side of the box; 1 for a box without extent.
+int exponent_of(const SurfaceReport& report) {
+  const double side = (report.box_max / 2 - report.box_min / 2).maxCoeff();
+  return side > 0 ? std::min(std::ilogb(side) + 1, 1023) : 0;
 }
 
 }  // namespace
@@ -200,7 +209,9 @@ SurfaceJudgement judge(const TriangleSurface& surface) {
       report.box_min = report.box_min.cwiseMin(surface.vertices[v]);
       report.box_max = report.box_max.cwiseMax(surface.vertices[v]);
     }
-  report.area = area_of(surface);
+  judgement.exponent = exponent_of(report);
+  judgement.area = area_of(surface, std::ldexp(1.0, judgement.exponent));
+  report.area = std::ldexp(judgement.area, 2 * judgement.exponent);
 
   // A triangle that names a vertex twice has no sides to match. The others are tested for closedness without
   // it.

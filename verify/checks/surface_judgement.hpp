@@ -14,6 +14,10 @@ namespace tetproof::verify {
 
 struct SurfaceJudgement {
   SurfaceReport report;
+  /// The unit of length for what doubles could not hold otherwise: 2^exponent, below or at the longest side
+  /// of the surface's box.
+  int exponent = 0;
+  double area = 0;                      ///< [units^2]
   std::optional<ExactVolumes> volumes;  ///< one set for each component; absent with a fault
   std::vector<Index> component_of;      ///< the component of each triangle
   std::vector<int> weights;             ///< of the components, for the volume inside an odd number of them

@@ -30,6 +30,15 @@ double nearest(const CGAL::Gmpq& q) {
   return order == CGAL::SMALLER || (order == CGAL::EQUAL && even) ? truncated : away;
 }
 
+CGAL::Gmpq times_power_of_two(const CGAL::Gmpq& q, int power) {
+  CGAL::Gmpq result;
+  if (power >= 0)
+    mpq_mul_2exp(result.mpq(), q.mpq(), static_cast<mp_bitcnt_t>(power));
+  else
+    mpq_div_2exp(result.mpq(), q.mpq(), static_cast<mp_bitcnt_t>(-power));
+  return result;
+}
+
 Exact determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Exact ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z(), cx = c.x(), cy = c.y(),
               cz = c.z();
@@ -92,8 +101,13 @@ double ExactVolumes::weighted_sum(std::span<const int> weights) const {
 }
 
 double ExactVolumes::difference(std::span<const int> weights, const ExactVolumes& other,
-                                std::span<const int> other_weights) const {
-  return nearest(CGAL::Gmpq(sums_->weighted(weights) - other.sums_->weighted(other_weights)) / 6);
+                                std::span<const int> other_weights, int exponent) const {
+  return nearest(times_power_of_two(
+      CGAL::Gmpq(sums_->weighted(weights) - other.sums_->weighted(other_weights)) / 6, -3 * exponent));
+}
+
+double ExactVolumes::weighted_sum_in_units(std::span<const int> weights, int exponent) const {
+  return nearest(times_power_of_two(CGAL::Gmpq(sums_->weighted(weights)) / 6, -3 * exponent));
 }
 
 int ExactVolumes::compare_size(std::size_t i, std::size_t j) const {

@@ -28,9 +28,12 @@ class ExactVolumes {
   double volume(std::size_t set) const;  ///< the double nearest to the exact volume, ties to even
   /// The double nearest to the exact sum of weights[i] * volume i.
   double weighted_sum(std::span<const int> weights) const;
-  /// This weighted sum minus the weighted sum of `other`: the double nearest to the exact difference.
+  /// This weighted sum minus the weighted sum of `other`: the double nearest to the exact difference. In
+  /// cubes of 2^exponent, so that it fits into a double whatever the scale.
   double difference(std::span<const int> weights, const ExactVolumes& other,
-                    std::span<const int> other_weights) const;
+                    std::span<const int> other_weights, int exponent = 0) const;
+  /// The double nearest to the exact sum of weights[i] * volume i, in cubes of 2^exponent.
+  double weighted_sum_in_units(std::span<const int> weights, int exponent) const;
   /// Compares absolute volumes: negative, zero or positive if |volume i| <, = or > |volume j|.
   int compare_size(std::size_t i, std::size_t j) const;
 

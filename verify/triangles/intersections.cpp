@@ -72,11 +72,15 @@ void add(std::vector<T>& list, const T& item, std::size_t most) {
   if (list.size() > 2 * most + 1024) keep_first(list, most);
 }
 
+// What is near is kept whole: the search ends before there is too much of it. A pair has six contacts at
+// most.
+constexpr std::size_t all_near = 6 * static_cast<std::size_t>(most_counted_pairs);
+
 void keep_first(Intersections& all, std::size_t most) {
   keep_first(all.pairs, most);
-  keep_first(all.contacts, most);
-  keep_first(all.folds, most);
-  keep_first(all.near, most);
+  keep_first(all.contacts, all_near);
+  keep_first(all.folds, all_near);
+  keep_first(all.near, all_near);
 }
 
 // Finds some of very many pairs that meet, at least one: compares each triangle with those before it until
@@ -122,13 +126,12 @@ class Counter {
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                                  const std::vector<std::uint8_t>& excluded, std::size_t most,
                                  const Near* near) {
-  if (near && !near->usable()) near = nullptr;
-  const double room = near ? near->limit() * near->diagonal() : 0;
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (excluded.empty() || !excluded[t]) {
       boxes.push_back(box_of(points, triangles[t], t));
+      const double room = near ? near->room(static_cast<Index>(t)) : 0;
       for (int k = 0; k < 3; ++k) boxes.back().low[k] -= room, boxes.back().high[k] += room;
     }
   Intersections result;
@@ -154,7 +157,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         const auto meet = [&](const Box& x, const Box& y) {
           if (std::max(begins[x.number], begins[y.number]) != slab) return;
           const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-          if (nearby && nearby->wide_apart(triangles[low], triangles[high])) return;
+          if (nearby && nearby->wide_apart(low, high)) return;
           const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
           if (meeting) {
             ++found.count;
@@ -164,12 +167,9 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           if (!nearby) return;
           const PairNearness pair = nearby->look(x, y, meeting);
           if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs.count_one();
-          for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], most);
-          if (pair.near) {
-            ++found.near_count;
-            add(found.near, std::array<Index, 2>{low, high}, most);
-          }
-          if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, most);
+          for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], all_near);
+          if (pair.near) add(found.near, std::array<Index, 2>{low, high}, all_near);
+          if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, all_near);
         };
         try {
           // Below the cutoff CGAL sweeps instead of splitting further. A cutoff of 1000 halves the time of
@@ -183,16 +183,15 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         // The first items of the union are among the first items of its parts, so the order of the parts does
         // not matter.
         const std::lock_guard lock(joining);
-        const auto join = [&](auto& all, const auto& part) {
+        const auto join = [&](auto& all, const auto& part, std::size_t kept) {
           all.insert(all.end(), part.begin(), part.end());
-          if (all.size() > 2 * most + 1024) keep_first(all, most);
+          if (all.size() > 2 * kept + 1024) keep_first(all, kept);
         };
         result.count += found.count;
-        result.near_count += found.near_count;
-        join(result.pairs, found.pairs);
-        join(result.contacts, found.contacts);
-        join(result.folds, found.folds);
-        join(result.near, found.near);
+        join(result.pairs, found.pairs, most);
+        join(result.contacts, found.contacts, all_near);
+        join(result.folds, found.folds, all_near);
+        join(result.near, found.near, all_near);
       },
       tbb::simple_partitioner());
   // Whether there are too many pairs does not depend on the threads. Which of them were found first does, so

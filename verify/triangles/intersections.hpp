@@ -19,7 +19,7 @@ namespace tetproof::verify {
 /// numbers has quadratically many of them.
 inline constexpr std::int64_t most_counted_pairs = 1'000'000;
 
-/// All lists are ascending and hold no more than the first `most` items.
+/// All lists are ascending. `pairs` holds no more than the first `most`, the others hold all.
 struct Intersections {
   /// More than most_counted_pairs meet: `count` is most_counted_pairs, and `pairs` has only some of them.
   bool more = false;
@@ -33,7 +33,6 @@ struct Intersections {
   std::vector<Contact> contacts;  ///< each once, also those of triangles that meet
   /// Pairs with a common edge that meet, or two of whose other edges cross or nearly cross.
   std::vector<std::array<Index, 2>> folds;
-  std::int64_t near_count = 0;             ///< number of pairs that belong in `near`
   std::vector<std::array<Index, 2>> near;  ///< pairs without a common vertex that are near but do not meet
 };
 

@@ -15,84 +15,106 @@ bool in_box(const Eigen::Vector3d& p, const Box& box) {
 
 }  // namespace
 
-// A quick test for points far from a triangle's plane. If the normal is not reliable, no point counts as far.
+// A quick test for points far from the plane of a triangle 0 b c.
+//
+// Why nothing near counts as far: the boxes of the pair meet, so all its points p are within 4 E of the
+// origin, where E is the longest edge of both. With the rounding unit e = 2^-53, the normal is off by less
+// than 7 e |b| |c|, and its product with p by less than 28 e |b| |c| E more. So a point within the pair's
+// room of the plane has a computed height of at most room |normal| + 56 e |b| |c| E, which is below `bound`.
+// Underflow changes a height by less than 2^-1070; while |b| |c| is above `least`, that is far below the
+// bound. Beyond `least` and `most` no point counts as far, and neither where something overflows.
 struct Nearby::Plane {
   Eigen::Vector3d origin, normal;
-  // The square of twice the near distance, times the squared length of the normal.
   double bound = std::numeric_limits<double>::infinity();
 
-  Plane(const Nearby& all, const Triangle& t) : origin(all.at(t[0])) {
-    const Eigen::Vector3d b = all.at(t[1]) - origin, c = all.at(t[2]) - origin;
+  // `other`: the other triangle of the pair.
+  Plane(const Nearby& all, Index t, Index other) : origin(all.at(all.triangle(t)[0])) {
+    const Eigen::Vector3d b = all.at(all.triangle(t)[1]) - origin, c = all.at(all.triangle(t)[2]) - origin;
     normal = b.cross(c);
-    const double square = normal.squaredNorm();
-    if (square > 1e-12 * b.squaredNorm() * c.squaredNorm() && std::isnormal(square))
-      bound = 4 * all.room_ * all.room_ * square;
+    const double lengths = b.norm() * c.norm();
+    if (lengths > least && lengths < most)
+      bound = 2 * all.near_.room(t, other) * normal.norm() +
+              near_error * lengths * std::max(all.near_.size(t), all.near_.size(other));
   }
   double height(const Eigen::Vector3d& p) const { return normal.dot(p - origin); }
-  bool far(const Eigen::Vector3d& p) const {
-    const double h = height(p);
-    return h * h > bound;
+  bool far(const Eigen::Vector3d& p) const { return std::abs(height(p)) > bound; }
+  // Whether all corners of a triangle are far on the same side.
+  bool far_side(const Nearby& all, Index t) const {
+    const Triangle& v = all.triangle(t);
+    const double a = height(all.at(v[0])), b = height(all.at(v[1])), c = height(all.at(v[2]));
+    return (a > bound && b > bound && c > bound) || (a < -bound && b < -bound && c < -bound);
   }
-  bool far_side(const Nearby& all, const Triangle& t) const {
-    const double a = height(all.at(t[0])), b = height(all.at(t[1])), c = height(all.at(t[2]));
-    return ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) && a * a > bound && b * b > bound &&
-           c * c > bound;
-  }
+
+  static constexpr double least = 1e-140, most = 1e140;
 };
 
-// The area test puts a vertex beyond a side's line by at least `margin_` / (length of the side), so the
-// vertex is farther than 2 room_ from the triangle on the other side of that line. One end of the side may be
-// shared: the other triangle then has one vertex on the line and the rest beyond, and the side's other end is
-// as far from it. Rounding is a thousand times smaller than the margin.
-bool Nearby::wide_apart(const Triangle& first, const Triangle& second) const {
-  const Eigen::Vector3d &a = at(first[0]), &b = at(first[1]), &c = at(first[2]);
+// Why this dismisses no pair that meets or is near. Let u v be the side of one triangle, w a vertex of the
+// other one, and e the rounding unit 2^-53. The computed area is off by less than 4 e (|first| + |second|),
+// where these are its two products, and by underflow of less than 2^-1072; both are subtracted. If a product
+// overflows, the comparison is false. So the sign is right: w lies strictly beyond the line of the side in
+// the projection. The other triangle has at most one vertex on that line, one that the two share, so the
+// triangles meet in nothing else.
+// The exact area is also larger than 2 room E, where room and E are the larger ones of the two triangles. A
+// vertex w is then farther than 2 room from the side's line, because no side is longer than E. If the other
+// triangle shares the end u of the side, the distance of the other end v from each of its edges u w is the
+// same area divided by |u w|, so it is farther than 2 room, too.
+bool Nearby::wide_apart(Index first, Index second) const {
+  const Triangle &s = triangle(first), &t = triangle(second);
+  const Eigen::Vector3d &a = at(s[0]), &b = at(s[1]), &c = at(s[2]);
   Eigen::Index along = 0;
   (b - a).cross(c - a).cwiseAbs().maxCoeff(&along);
   const Eigen::Index x = (along + 1) % 3, y = (along + 2) % 3;
+  const double wide = 2 * near_.room(first, second) * std::max(near_.size(first), near_.size(second));
+  // 1 or -1: the side of the line from u to v on which w lies, if it is wide of it; else 0.
+  const auto side = [&](Index u, Index v, Index w) {
+    const Eigen::Vector3d &p = at(u), &q = at(v), &r = at(w);
+    const double one = (q[x] - p[x]) * (r[y] - p[y]), other = (q[y] - p[y]) * (r[x] - p[x]);
+    const double area = one - other;
+    const double bound = 1.000001 * wide + 1e-15 * (std::abs(one) + std::abs(other)) + 0x1p-1070;
+    return area > bound ? 1 : area < -bound ? -1 : 0;
+  };
   const auto separates = [&](const Triangle& sides, const Triangle& other) {
-    const auto area = [&](Index u, Index v, Index w) {
-      const Eigen::Vector3d &p = at(u), &q = at(v), &r = at(w);
-      return (q[x] - p[x]) * (r[y] - p[y]) - (q[y] - p[y]) * (r[x] - p[x]);
-    };
-    const double inside = area(sides[0], sides[1], sides[2]);
-    if (std::abs(inside) <= margin_) return false;
-    const double sign = inside > 0 ? -1 : 1;
+    const int inside = side(sides[0], sides[1], sides[2]);
+    if (inside == 0) return false;
     for (int k = 0; k < 3; ++k) {
       const Index u = sides[k], v = sides[(k + 1) % 3];
       if (std::all_of(other.begin(), other.end(),
-                      [&](Index w) { return w == u || w == v || sign * area(u, v, w) > margin_; }))
+                      [&](Index w) { return w == u || w == v || side(u, v, w) == -inside; }))
         return true;
     }
     return false;
   };
-  return separates(first, second) || separates(second, first);
+  return separates(s, t) || separates(t, s);
 }
 
-bool Nearby::is_near(Index v, const Box& box, const Triangle& t, const Plane& plane) const {
-  return in_box(at(v), box) && !plane.far(at(v)) && near_.to_triangle(v, t) <= near_.limit();
+bool Nearby::is_near(Index v, const Box& box, Index t, const Plane& plane) const {
+  return in_box(at(v), box) && !plane.far(at(v)) && near_.on_triangle(v, t);
 }
 
-bool Nearby::segments_near(Index a, Index b, Index c, Index d) const {
+bool Nearby::segments_near(Index a, Index b, Index s, Index c, Index d, Index t) const {
+  const double reach = near_.room(s, t);
   for (int k = 0; k < 3; ++k) {
     const auto [low, high] = std::minmax(at(a)[k], at(b)[k]);
     const auto [other_low, other_high] = std::minmax(at(c)[k], at(d)[k]);
-    if (low - other_high > room_ || other_low - high > room_) return false;
+    if (low - other_high > reach || other_low - high > reach) return false;
   }
-  return near_.between_segments(a, b, c, d) <= near_.limit();
+  return near_.edges_near(a, b, s, c, d, t);
 }
 
-bool Nearby::edges_near(const Triangle& s, const Triangle& t) const {
+bool Nearby::edges_near(Index s, Index t) const {
+  const Triangle &first = triangle(s), &second = triangle(t);
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
-      if (segments_near(s[i], s[(i + 1) % 3], t[k], t[(k + 1) % 3])) return true;
+      if (segments_near(first[i], first[(i + 1) % 3], s, second[k], second[(k + 1) % 3], t)) return true;
   return false;
 }
 
 // For two triangles with a common edge: whether the edge from one of its ends to one apex crosses, or nearly
 // crosses, the edge from the other end to the other apex.
-bool Nearby::edges_cross(const Triangle& s, int i, const Triangle& t, int k) const {
-  const Index a = s[(i + 1) % 3], b = s[(i + 2) % 3];
-  return segments_near(a, s[i], b, t[k]) || segments_near(b, s[i], a, t[k]);
+bool Nearby::edges_cross(Index s, int i, Index t, int k) const {
+  const Triangle& first = triangle(s);
+  const Index a = first[(i + 1) % 3], b = first[(i + 2) % 3], p = first[i], q = triangle(t)[k];
+  return segments_near(a, p, s, b, q, t) || segments_near(b, p, s, a, q, t);
 }
 
 PairNearness Nearby::look(const Box& x, const Box& y, bool meet) const {
@@ -106,21 +128,20 @@ PairNearness Nearby::look(const Box& x, const Box& y, bool meet) const {
       if (first[i] == second[k]) common = true, own_t &= ~(1u << k);
     if (!common) own_s |= 1u << i;
   }
-  const Plane plane_s(*this, first), plane_t(*this, second);
+  const Plane plane_s(*this, s, t), plane_t(*this, t, s);
   const auto add = [&](const Contact& contact) { found.contacts[found.contact_count++] = contact; };
   for (int i = 0; i < 3; ++i) {
-    if (own_s >> i & 1 && is_near(first[i], y, second, plane_t)) add({first[i], t});
-    if (own_t >> i & 1 && is_near(second[i], x, first, plane_s)) add({second[i], s});
+    if (own_s >> i & 1 && is_near(first[i], y, t, plane_t)) add({first[i], t});
+    if (own_t >> i & 1 && is_near(second[i], x, s, plane_s)) add({second[i], s});
   }
   if (own_s == 7 && !meet &&
       (found.contact_count > 0 ||
-       (!plane_s.far_side(*this, second) && !plane_t.far_side(*this, first) && edges_near(first, second)))) {
+       (!plane_s.far_side(*this, t) && !plane_t.far_side(*this, s) && edges_near(s, t)))) {
     found.near = true;
   }
   if (own_s != 0 && (own_s & (own_s - 1)) == 0) {  // a common edge
     const int i = own_s >> 1, k = own_t >> 1;      // positions of the apexes
-    if (meet || (plane_s.normal.dot(plane_t.normal) <= 0 && edges_cross(first, i, second, k)))
-      found.fold = true;
+    if (meet || (plane_s.normal.dot(plane_t.normal) <= 0 && edges_cross(s, i, t, k))) found.fold = true;
   }
   return found;
 }

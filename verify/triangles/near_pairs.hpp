@@ -28,19 +28,15 @@ struct PairNearness {
   bool fold = false;
 };
 
-/// Tests triangle pairs whose boxes have been enlarged by the near distance.
+/// Tests triangle pairs whose boxes have each been enlarged by the triangle's room.
 class Nearby {
  public:
   Nearby(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const Near& near)
-      : points_(points),
-        triangles_(triangles),
-        near_(near),
-        room_(near.limit() * near.diagonal()),
-        margin_(2 * room_ * near.diagonal()) {}
+      : points_(points), triangles_(triangles), near_(near) {}
 
   /// Whether the line through a side of one triangle separates the projections of both along an axis (except
   /// for shared vertices) so widely that the triangles neither meet nor are near. This settles most pairs.
-  bool wide_apart(const Triangle& first, const Triangle& second) const;
+  bool wide_apart(Index first, Index second) const;
 
   /// Finds what is near in the triangles of two boxes. `meet`: whether the triangles meet.
   PairNearness look(const Box& x, const Box& y, bool meet) const;
@@ -48,16 +44,15 @@ class Nearby {
  private:
   struct Plane;
   const Eigen::Vector3d& at(Index v) const { return points_[static_cast<std::size_t>(v)]; }
-  bool is_near(Index v, const Box& box, const Triangle& t, const Plane& plane) const;
-  bool segments_near(Index a, Index b, Index c, Index d) const;
-  bool edges_near(const Triangle& s, const Triangle& t) const;
-  bool edges_cross(const Triangle& s, int i, const Triangle& t, int k) const;
+  const Triangle& triangle(Index t) const { return triangles_[static_cast<std::size_t>(t)]; }
+  bool is_near(Index v, const Box& box, Index t, const Plane& plane) const;
+  bool segments_near(Index a, Index b, Index s, Index c, Index d, Index t) const;
+  bool edges_near(Index s, Index t) const;
+  bool edges_cross(Index s, int i, Index t, int k) const;
 
   std::span<const Eigen::Vector3d> points_;
   std::span<const Triangle> triangles_;
   const Near& near_;
-  double room_;    // the near distance [length]
-  double margin_;  // [length^2]
 };
 
 }  // namespace tetproof::verify

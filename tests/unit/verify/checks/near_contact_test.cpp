@@ -2,6 +2,8 @@
 // Near contacts: parts of the boundary whose distance is within rounding, but which do not touch.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <utility>
 
 #include "tests/support/meshes.hpp"
@@ -58,17 +60,40 @@ TEST(NearContact, EdgesThatAllButTouch) {
   }
 }
 
-// One block is so small beside another one that all its faces are near each other: quadratically many pairs.
-// The report then says nothing about near contacts, and everything about the rest.
-TEST(NearContact, ACrowdOfTinyFacesEndsTheSearch) {
+// Blocks of very different sizes side by side: each face is measured by its own size.
+TEST(NearContact, TinyBlocksAreNotNearThemselves) {
   const Report report = verify::verify(
       together(lattice_mesh({2, 2, 2}, {}, {1, 0, 0}), lattice_mesh({12, 12, 12}, {}, {0, 0, 0}, 1e-14)));
+  EXPECT_EQ(report.certificate, true) << report_text(report);
+  EXPECT_EQ(roots(report), Ids{}) << report_text(report);
+  EXPECT_TRUE(sound(report)) << report_text(report);
+}
+
+// Narrow tetrahedra all around a point, with their tips so close to it that all are near each other:
+// quadratically many pairs. The report then says that it did not look for what is near, and proves the rest.
+TEST(NearContact, ACrowdOfTipsEndsTheSearch) {
+  TetMesh mesh;
+  constexpr int count = 700;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count, turn = i * 2.399963229728653;
+    const Eigen::Vector3d out(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn),
+                              z);
+    const Eigen::Vector3d side = out.unitOrthogonal(), other = out.cross(side);
+    const auto first = static_cast<Index>(mesh.points.size());
+    mesh.points.push_back(1e-13 * out);
+    for (const Eigen::Vector3d& offset :
+         {side, Eigen::Vector3d(other - side), Eigen::Vector3d(-other - side)})
+      mesh.points.push_back(out + 0.01 * offset);
+    mesh.tets.push_back({first, first + 1, first + 2, first + 3});
+  }
+  const Report report = verify::verify(mesh);
   EXPECT_EQ(report.certificate, true) << report_text(report);
   EXPECT_EQ(report[Check::near_contact].verdict, Verdict::skipped);
   EXPECT_EQ(report[Check::hanging_node].verdict, Verdict::skipped);
   EXPECT_EQ(report[Check::boundary_self_intersection].verdict, Verdict::pass);
   ASSERT_EQ(report.notes.size(), 1u);
   EXPECT_THAT(report.notes[0], testing::StartsWith("more than 1000000 pairs of boundary faces are near"));
+  EXPECT_FALSE(sound(report));
 }
 
 TEST(NearContact, ShortEdgesAreNone) {

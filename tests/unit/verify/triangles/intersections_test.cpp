@@ -135,6 +135,45 @@ TEST(Intersections, AgreeWithRationalArithmeticOnSoups) {
   for (const int count : {0, 1, 2, 3}) EXPECT_GT(common_vertices[count], 5) << count << " common vertices";
 }
 
+// A power of two along an axis changes no digit, and not which triangles meet. It once did: where products
+// of coordinates underflowed, the filter in front of the exact test dismissed pairs that meet.
+TEST(Intersections, AreTheSameAtEveryPowerOfTwo) {
+  int judged = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Soup soup = random_soup(seed);
+    const auto pairs = verify::self_intersections(soup.points, soup.triangles, {}).pairs;
+    for (const auto& [x, y, z] : std::initializer_list<std::array<int, 3>>{{-1000, -1000, -1000},
+                                                                           {-700, -700, -700},
+                                                                           {-540, -540, -540},
+                                                                           {-522, -522, -522},
+                                                                           {-340, -340, -340},
+                                                                           {400, 400, 400},
+                                                                           {511, 511, 511},
+                                                                           {930, 930, 930},
+                                                                           {0, -600, 600},
+                                                                           {-900, 0, 0},
+                                                                           {900, 900, -900},
+                                                                           {0, 0, -40}}) {
+      Soup other = soup;
+      bool same_digits = true;
+      for (std::size_t i = 0; i < soup.points.size(); ++i) {
+        Eigen::Vector3d& p = other.points[i];
+        p = {std::ldexp(p[0], x), std::ldexp(p[1], y), std::ldexp(p[2], z)};
+        same_digits = same_digits && p.allFinite() &&
+                      Eigen::Vector3d(std::ldexp(p[0], -x), std::ldexp(p[1], -y), std::ldexp(p[2], -z)) ==
+                          soup.points[i];
+      }
+      if (!same_digits) continue;
+      ++judged;
+      SCOPED_TRACE(testing::Message() << "seed " << seed << " times 2^ " << x << ' ' << y << ' ' << z);
+      EXPECT_EQ(verify::self_intersections(other.points, other.triangles, {}).pairs, pairs);
+      const verify::Near near(other.points, other.triangles);
+      EXPECT_EQ(verify::self_intersections(other.points, other.triangles, {}, 100000, &near).pairs, pairs);
+    }
+  }
+  EXPECT_GT(judged, 400);
+}
+
 // With few triangles, and with so many that they are searched in slabs.
 class CrumpledSphere : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, CrumpledSphere, testing::Values(2000, 80000));
