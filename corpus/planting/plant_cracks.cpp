@@ -173,7 +173,8 @@ std::vector<PlantKind> crack_kinds() {
       {.id = "crack-opened-by-one-unit",
        .flags = {"cracks", "rounding", "whole"},
        .needed = {"boundary-self-intersection", "overlap", "near-contact"},
-       .also = {"inverted", "flat", "hanging-node", "crossed-diagonal"},
+       // A part that the cut goes all around leaves a cavity in the other one.
+       .also = {"inverted", "flat", "hanging-node", "crossed-diagonal", "cavity"},
        .comment = "the mesh is cut in two parts, and the cut is opened by one unit in the last place",
        .mutate = opened},
       {.id = "crack-opened-at-vertex",

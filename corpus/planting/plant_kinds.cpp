@@ -29,7 +29,7 @@ std::vector<PlantKind> two_at_once() {
       both("duplicate-and-thrice", "duplicate-tet", "face-shared-thrice",
            "two independent defects: a duplicate tetrahedron, and a face shared by three"),
       both("crossed-and-overlap", "crossed-diagonals", "overlap-1e-12",
-           "two independent defects: crossed diagonals, and an overlap by 1e-12 of the diagonal"),
+           "two independent defects: crossed diagonals, and an overlap by 1e-12 of a face's size"),
       both("missing-and-touching", "missing-inside", "touching-edge",
            "a missing tetrahedron, and far from it a boundary that touches itself"),
       both("index-and-flat", "index-too-high", "flat",

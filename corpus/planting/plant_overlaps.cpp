@@ -2,6 +2,7 @@
 // The kinds of overlapping tetrahedra.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "corpus/planting/plant_site.hpp"
 
@@ -39,14 +40,19 @@ bool across(Site& s, int common) {
   return true;
 }
 
-// Adds a tetrahedron outside whose tip lies `depth` below a boundary face, or above it if `depth` is
-// negative. Its size is a fraction of the face's.
-bool tip(Site& s, double depth) {
+// Adds a tetrahedron outside whose tip lies below a boundary face, or above it if `share` is negative: by
+// this share of the face's longest edge, and at least by a unit in the last place of the coordinates. Its
+// size is a fraction of the face's.
+bool tip(Site& s, double share) {
   Index t = -1;
   int corner = 0;
   if (!s.some_boundary_face(t, corner)) return false;
   const Face face = s.face(t, corner);
   const Point out = s.normal(face).normalized(), foot = s.centroid(face);
+  const double longest =
+      std::max({(s.at(face[1]) - s.at(face[0])).norm(), (s.at(face[2]) - s.at(face[1])).norm(),
+                (s.at(face[0]) - s.at(face[2])).norm()});
+  const double depth = std::copysign(std::max(std::abs(share) * longest, s.unit()), share);
   const double size = 0.2 * s.size(t);
   const Point u = (s.at(face[1]) - s.at(face[0])).normalized(), v = out.cross(u);
   constexpr std::array<std::array<double, 2>, 3> around{{{1, 0}, {-0.5, 0.85}, {-0.5, -0.9}}};
@@ -181,20 +187,14 @@ std::vector<PlantKind> overlap_kinds() {
        .flags = {"overlap", "rounding"},
        .needed = {"boundary-self-intersection"},
        .also = {"overlap"},
-       .comment = "a tetrahedron outside, whose tip pierces a boundary face by at most 1e-12 of the diagonal",
-       .mutate =
-           [](Site& s) {
-             return tip(s, std::max(s.random.between(0.1, 1) * 1e-12 * s.parts.diagonal, s.unit()));
-           }},
+       .comment = "a tetrahedron outside, whose tip pierces a boundary face by at most 1e-12 of its size",
+       .mutate = [](Site& s) { return tip(s, s.random.between(0.1, 1) * 1e-12); }},
       {.id = "near-contact",
        .expected = debatable,
        .flags = {"boundary", "rounding"},
        .needed = {"near-contact"},
-       .comment = "a tetrahedron outside, whose tip is less than 1e-12 of the diagonal above a boundary face",
-       .mutate =
-           [](Site& s) {
-             return tip(s, -std::max(s.random.between(0.1, 0.8) * 1e-12 * s.parts.diagonal, s.unit()));
-           }},
+       .comment = "a tetrahedron outside, whose tip is less than 1e-12 of its size above a boundary face",
+       .mutate = [](Site& s) { return tip(s, -s.random.between(0.1, 0.8) * 1e-12); }},
       {.id = "tower-into-mesh",
        .expected = defective,
        .flags = {"overlap"},

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tetproof-campaign: plants defects at random places in meshes and counts how often the judge finds them.
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +63,44 @@ std::string replay(const Case& c, const std::vector<std::string>& names) {
                      corpus::plant_kinds()[c.kind].id, names[c.mesh]);
 }
 
+// The mesh times 2^power along each axis; nothing if a coordinate would lose a digit or leave the doubles.
+std::optional<TetMesh> scaled(const TetMesh& mesh, const std::array<int, 3>& power) {
+  TetMesh result = mesh;
+  for (Eigen::Vector3d& p : result.points)
+    for (int k = 0; k < 3; ++k) {
+      const double before = p[k];
+      p[k] = std::ldexp(before, power[k]);
+      if (std::isfinite(before) && (!std::isfinite(p[k]) || std::ldexp(p[k], -power[k]) != before))
+        return std::nullopt;
+    }
+  return result;
+}
+
+// What is wrong with the verdict on the planted mesh at another scale, along one axis, or without some of the
+// checks that the certificate does not need.
+std::string objection_elsewhere(const corpus::Planted& planted, std::uint64_t seed) {
+  corpus::Random random(seed);
+  const auto power = [&] { return random.below(1951) - 1000; };
+  const int all = power();
+  if (const auto mesh = scaled(planted.mesh, {all, all, all}))
+    if (const std::string text = test::objection(planted, verify::verify(*mesh, {.quality = false}));
+        !text.empty())
+      return fmt::format("times 2^{}: {}", all, text);
+  std::array<int, 3> axes{};
+  axes[static_cast<std::size_t>(random.below(3))] = power();
+  verify::Options options{.quality = false};
+  for (int c = 0; c < verify::check_count; ++c)
+    if (const auto& row = verify::info(static_cast<verify::Check>(c));
+        !row.certificate && random.below(2) == 1)
+      options.skip.emplace_back(row.id);
+  if (const auto mesh = scaled(planted.mesh, axes))
+    if (const verify::Report report = verify::verify(*mesh, options);
+        report.certificate != planted.truth.valid())
+      return fmt::format("times 2^{} 2^{} 2^{}, without {}: the certificate is wrong", axes[0], axes[1],
+                         axes[2], fmt::join(options.skip, ","));
+  return "";
+}
+
 struct Options {
   int cases = 1000;
   std::uint64_t seed = 1;
@@ -67,6 +108,7 @@ struct Options {
   std::string write;
   std::optional<std::uint64_t> replay;
   std::size_t place = 0;
+  bool scales = false;
 };
 
 // One ground for each mesh and place where rounding leaves it valid.
@@ -137,6 +179,8 @@ int campaign(const Options& options) {
     if (!planted) return;
     const verify::Report report = verify::verify(planted->mesh, {.quality = false});
     results[i] = {true, test::objection(*planted, report)};
+    if (options.scales && results[i].objection.empty())
+      results[i].objection = objection_elsewhere(*planted, c.seed);
     if (!options.write.empty()) write_document(options.write, document_of(planted->mesh));
     if (options.replay) fmt::print("{}\nplanted tetrahedra:", report_text(report));
     if (options.replay) {
@@ -187,6 +231,8 @@ int main(int argc, char** argv) {
   app.add_option("--replay", options.replay, "one case, as a failure's line gives it");
   app.add_option("--place", options.place, "of that case");
   app.add_option("--write", options.write, "a file for its mesh");
+  app.add_flag("--scales", options.scales,
+               "judge each mesh once more at a random power of two, and along one axis without some checks");
   app.add_option("--threads", threads, "default: all");
   CLI11_PARSE(app, argc, argv);
   std::unique_ptr<tbb::global_control> limit;

@@ -141,7 +141,8 @@ PairNearness Nearby::look(const Box& x, const Box& y, bool meet) const {
   }
   if (own_s != 0 && (own_s & (own_s - 1)) == 0) {  // a common edge
     const int i = own_s >> 1, k = own_t >> 1;      // positions of the apexes
-    if (meet || (plane_s.normal.dot(plane_t.normal) <= 0 && edges_cross(s, i, t, k))) found.fold = true;
+    // Where the product overflows, it may be no number: then they may well be folded.
+    if (meet || (!(plane_s.normal.dot(plane_t.normal) > 0) && edges_cross(s, i, t, k))) found.fold = true;
   }
   return found;
 }
