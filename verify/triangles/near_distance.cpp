@@ -81,11 +81,10 @@ Near::Near(std::span<const Eigen::Vector3d> points, std::span<const Triangle> tr
     const Size size = size_of(b / unit, c / unit, d / unit);
     const double coordinate =
         std::max({at(i).cwiseAbs().maxCoeff(), at(j).cwiseAbs().maxCoeff(), at(k).cwiseAbs().maxCoeff()});
-    const double length = unit / factor_;
-    sizes_[t] = std::min(size.longest * length, std::numeric_limits<double>::max());
-    rooms_[t] = std::min(std::max(near_distance * size.longest * length,
+    sizes_[t] = std::min(size.longest * unit / factor_, std::numeric_limits<double>::max());
+    rooms_[t] = std::min(std::max(near_distance * size.longest * unit / factor_,
                                   near_units * std::numeric_limits<double>::epsilon() * coordinate),
-                         near_thickness * size.thickness * length);
+                         near_thickness * size.thickness * unit / factor_);
   });
 }
 
