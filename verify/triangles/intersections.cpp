@@ -2,16 +2,19 @@
 #include "verify/triangles/intersections.hpp"
 
 #include <CGAL/box_intersection_d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <optional>
 
 #include "verify/triangles/box.hpp"
+#include "verify/triangles/hubs.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -79,6 +82,12 @@ void keep_first(Intersections& all, std::size_t most) {
   keep_first(all.near, most);
 }
 
+bool meet(const Box& x, const Box& y) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis]) return false;
+  return true;
+}
+
 // Finds some of very many pairs that meet, at least one: compares each triangle with those before it until
 // there are enough pairs or too many comparisons.
 std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
@@ -92,10 +101,7 @@ std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> po
     compared += i;
     for (std::size_t k = 0; k < i && pairs.size() < enough; ++k) {
       const Box &x = boxes[k], &y = boxes[i];
-      bool apart = false;
-      for (int axis = 0; axis < 3; ++axis)
-        apart = apart || x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis];
-      if (!apart && triangles_meet(points, triangles[x.number], triangles[y.number]))
+      if (meet(x, y) && triangles_meet(points, triangles[x.number], triangles[y.number]))
         pairs.push_back({static_cast<Index>(x.number), static_cast<Index>(y.number)});
     }
   }
@@ -117,33 +123,83 @@ class Counter {
   std::atomic<std::int64_t> count_ = 0;
 };
 
-}  // namespace
+// Decides pairs of triangles and adds what it finds to a list of one thread.
+class Decider {
+ public:
+  Decider(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, std::size_t most,
+          const Near* near)
+      : points_(points), triangles_(triangles), most_(most) {
+    if (near) nearby_.emplace(points, triangles, *near);
+  }
 
-Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
-                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
-                                 const Near* near) {
-  if (near && !near->usable()) near = nullptr;
-  const double room = near ? near->limit() * near->diagonal() : 0;
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (excluded.empty() || !excluded[t]) {
-      boxes.push_back(box_of(points, triangles[t], t));
-      for (int k = 0; k < 3; ++k) boxes.back().low[k] -= room, boxes.back().high[k] += room;
+  // Whether `add` would find anything.
+  bool finds(const Box& x, const Box& y) const {
+    const Triangle &first = triangles_[x.number], &second = triangles_[y.number];
+    if (nearby_ && nearby_->wide_apart(first, second)) return false;
+    const bool meeting = triangles_meet(points_, first, second);
+    if (meeting || !nearby_) return meeting;
+    const PairNearness pair = nearby_->look(x, y, meeting);
+    return pair.contact_count > 0 || pair.near || pair.fold;
+  }
+
+  void add(const Box& x, const Box& y, Intersections& found) {
+    const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
+    if (nearby_ && nearby_->wide_apart(triangles_[low], triangles_[high])) return;
+    const bool meeting = triangles_meet(points_, triangles_[low], triangles_[high]);
+    if (meeting) {
+      ++found.count;
+      met_.count_one();
+      verify::add(found.pairs, std::array<Index, 2>{low, high}, most_);
     }
-  Intersections result;
-  if (boxes.empty()) return result;
+    if (!nearby_) return;
+    const PairNearness pair = nearby_->look(x, y, meeting);
+    if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs_.count_one();
+    for (int i = 0; i < pair.contact_count; ++i) verify::add(found.contacts, pair.contacts[i], most_);
+    if (pair.near) {
+      ++found.near_count;
+      verify::add(found.near, std::array<Index, 2>{low, high}, most_);
+    }
+    if (pair.fold) verify::add(found.folds, std::array<Index, 2>{low, high}, most_);
+  }
 
+  // The first items of the union are among the first items of its parts, so the order of the parts does not
+  // matter.
+  void join(Intersections& all, const Intersections& part) {
+    const std::lock_guard lock(joining_);
+    const auto append = [&](auto& list, const auto& more) {
+      list.insert(list.end(), more.begin(), more.end());
+      if (list.size() > 2 * most_ + 1024) keep_first(list, most_);
+    };
+    all.count += part.count;
+    all.near_count += part.near_count;
+    append(all.pairs, part.pairs);
+    append(all.contacts, part.contacts);
+    append(all.folds, part.folds);
+    append(all.near, part.near);
+  }
+
+  bool too_many_meet() const { return met_.too_many(); }
+  bool too_many_near() const { return near_pairs_.too_many(); }
+
+ private:
+  std::span<const Eigen::Vector3d> points_;
+  std::span<const Triangle> triangles_;
+  std::size_t most_;
+  std::optional<Nearby> nearby_;
+  Counter met_, near_pairs_;
+  std::mutex joining_;
+};
+
+// Decides all pairs whose boxes meet.
+void search_slabs(const std::vector<Box>& boxes, std::size_t triangles, Decider& decider,
+                  Intersections& result) {
+  if (boxes.empty()) return;
   const Slabs slabs = make_slabs(boxes);
-  std::vector<std::uint32_t> begins(triangles.size()), ends(triangles.size());
+  std::vector<std::uint32_t> begins(triangles), ends(triangles);
   tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
     begins[boxes[i].number] = slabs.slab_of(boxes[i].low[slabs.axis]);
     ends[boxes[i].number] = slabs.slab_of(boxes[i].high[slabs.axis]);
   });
-  const std::optional<Nearby> nearby =
-      near ? std::optional<Nearby>(std::in_place, points, triangles, *near) : std::nullopt;
-  std::mutex joining;
-  Counter met, near_pairs;
   tbb::parallel_for(
       std::size_t{0}, slabs.splits.size() + 1,
       [&](std::size_t slab) {
@@ -152,24 +208,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
         Intersections found;
         const auto meet = [&](const Box& x, const Box& y) {
-          if (std::max(begins[x.number], begins[y.number]) != slab) return;
-          const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-          if (nearby && nearby->wide_apart(triangles[low], triangles[high])) return;
-          const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
-          if (meeting) {
-            ++found.count;
-            met.count_one();
-            add(found.pairs, std::array<Index, 2>{low, high}, most);
-          }
-          if (!nearby) return;
-          const PairNearness pair = nearby->look(x, y, meeting);
-          if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs.count_one();
-          for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], most);
-          if (pair.near) {
-            ++found.near_count;
-            add(found.near, std::array<Index, 2>{low, high}, most);
-          }
-          if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, most);
+          if (std::max(begins[x.number], begins[y.number]) == slab) decider.add(x, y, found);
         };
         try {
           // Below the cutoff CGAL sweeps instead of splitting further. A cutoff of 1000 halves the time of
@@ -180,32 +219,105 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         } catch (const TooManyPairs&) {
           return;
         }
-        // The first items of the union are among the first items of its parts, so the order of the parts does
-        // not matter.
-        const std::lock_guard lock(joining);
-        const auto join = [&](auto& all, const auto& part) {
-          all.insert(all.end(), part.begin(), part.end());
-          if (all.size() > 2 * most + 1024) keep_first(all, most);
-        };
-        result.count += found.count;
-        result.near_count += found.near_count;
-        join(result.pairs, found.pairs);
-        join(result.contacts, found.contacts);
-        join(result.folds, found.folds);
-        join(result.near, found.near);
+        decider.join(result, found);
       },
       tbb::simple_partitioner());
+}
+
+// Pairs from many threads, each kept once.
+class Distinct {
+ public:
+  void add(Index s, Index t) {
+    auto& mine = local_.local();
+    mine.push_back({std::min(s, t), std::max(s, t)});
+    if (mine.size() < most_local) return;
+    const std::lock_guard lock(joining_);
+    merge(mine);
+    // Then more than most_counted_pairs meet, or more than that are near each other.
+    if (all_.size() > 2 * most_counted_pairs) throw TooManyPairs{};
+  }
+  const std::vector<std::array<Index, 2>>& pairs() {
+    for (auto& mine : local_) merge(mine);
+    return all_;
+  }
+
+ private:
+  static constexpr std::size_t most_local = 1 << 20;
+  void merge(std::vector<std::array<Index, 2>>& more) {
+    all_.insert(all_.end(), more.begin(), more.end());
+    more.clear();
+    keep_first(all_, all_.size());
+  }
+  tbb::enumerable_thread_specific<std::vector<std::array<Index, 2>>> local_;
+  std::vector<std::array<Index, 2>> all_;
+  std::mutex joining_;
+};
+
+// Decides all pairs of which one triangle is at a hub.
+void search_hubs(const Hubs& hubs, const std::function<Box(Index)>& box, double room, Decider& decider,
+                 Intersections& result) {
+  Distinct distinct;
+  try {
+    hubs.candidates([&](Index) { return room; },
+                    [&](Index s, Index t) {
+                      const Box x = box(s), y = box(t);
+                      if (meet(x, y) && decider.finds(x, y)) distinct.add(s, t);
+                    });
+  } catch (const TooManyPairs&) {  // deciding those that were found will count too many
+  }
+  const auto& pairs = distinct.pairs();
+  constexpr std::size_t piece = 4096;
+  tbb::parallel_for(std::size_t{0}, (pairs.size() + piece - 1) / piece, [&](std::size_t i) {
+    Intersections found;
+    try {
+      for (std::size_t k = i * piece; k < std::min(pairs.size(), (i + 1) * piece); ++k)
+        decider.add(box(pairs[k][0]), box(pairs[k][1]), found);
+    } catch (const TooManyPairs&) {
+      return;
+    }
+    decider.join(result, found);
+  });
+}
+
+}  // namespace
+
+Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
+                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
+                                 const Near* near, std::size_t hub_from) {
+  if (near && !near->usable()) near = nullptr;
+  const double room = near ? near->limit() * near->diagonal() : 0;
+  const auto box_in_room = [&](std::size_t t) {
+    Box box = box_of(points, triangles[t], t);
+    for (int k = 0; k < 3; ++k) box.low[k] -= room, box.high[k] += room;
+    return box;
+  };
+  const Hubs hubs(points, triangles, excluded, hub_from);
+  std::vector<Box> boxes;  // of the triangles without a hub
+  boxes.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if ((excluded.empty() || !excluded[t]) && !hubs.at_hub(triangles[t])) boxes.push_back(box_in_room(t));
+
+  Intersections result;
+  Decider decider(points, triangles, most, near);
+  search_slabs(boxes, triangles.size(), decider, result);
+  if (!hubs.none() && !decider.too_many_near() && !decider.too_many_meet())
+    search_hubs(
+        hubs, [&](Index t) { return box_in_room(static_cast<std::size_t>(t)); }, room, decider, result);
   // Whether there are too many pairs does not depend on the threads. Which of them were found first does, so
   // these lists are not used.
-  if (near && near_pairs.too_many()) {
-    result = self_intersections(points, triangles, excluded, most);
+  if (decider.too_many_near()) {
+    result = self_intersections(points, triangles, excluded, most, nullptr, hub_from);
     result.more_near = true;
     return result;
   }
-  if (met.too_many())
+  if (decider.too_many_meet()) {
+    boxes.clear();
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (excluded.empty() || !excluded[t]) boxes.push_back(box_in_room(t));
     return {.more = true,
             .count = most_counted_pairs,
             .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};
+  }
   keep_first(result, most);
   return result;
 }
