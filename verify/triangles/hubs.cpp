@@ -19,8 +19,6 @@
 #include <limits>
 #include <utility>
 
-#include "verify/triangles/near_pieces.hpp"
-
 namespace tetproof::verify {
 namespace {
 
@@ -38,7 +36,7 @@ constexpr double smallest_length = 0x1p-900;
 class Scaled {
  public:
   Scaled(std::span<const Vector> points, std::span<const Triangle> triangles,
-         const std::vector<std::uint8_t>& excluded)
+         std::span<const std::uint8_t> excluded)
       : points_(points) {
     double largest = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -57,7 +55,7 @@ class Scaled {
   int shift_ = 0;
 };
 
-// A face at a hub: the hub's other two vertices in that triangle.
+// A triangle at a hub, and its other two vertices.
 struct Spoke {
   Index triangle;
   std::array<Index, 2> ends;
@@ -112,7 +110,7 @@ void add_arc(const Vector& u, const Vector& w, Piece piece, std::vector<Piece>& 
 // In both cases f <= 4 r (k1 + k2) / L if L >= 2 r, or the right side is at least 2, the diameter of the
 // circle. The direction of an apex has a rounding error of a few k 2^-53.
 void search_edge(const Scaled& scaled, Index hub, Index w, std::span<const Spoke> spokes, double r,
-                 const std::function<void(Index, Index)>& report) {
+                 Threads threads, const std::function<void(Index, Index)>& report) {
   const Vector from = scaled[hub], to = scaled[w];
   const Direction axis(from, to);
   const Vector x = axis.unit.unitOrthogonal(), y = axis.unit.cross(x);
@@ -133,7 +131,7 @@ void search_edge(const Scaled& scaled, Index hub, Index w, std::span<const Spoke
     pieces.push_back(
         {.corners = {across, across, across}, .slack = std::min(slack, everything), .owner = spoke.triangle});
   }
-  near_pieces(pieces, Compare::all, report);
+  near_pieces(pieces, Compare::all, threads, report);
 }
 
 // Searches 2 and 3, among the triangles at one hub.
@@ -141,7 +139,7 @@ void search_edge(const Scaled& scaled, Index hub, Index w, std::span<const Spoke
 // A point p of one triangle and a point q of another that are r apart have directions that differ by at most
 // 2 r / |p - hub|. Only a vertex p counts here, or edges that have the direction of a common vertex.
 void search_hub(const Scaled& scaled, Index hub, std::span<const Spoke> spokes, std::size_t most, double r,
-                const std::function<void(Index, Index)>& report) {
+                Threads threads, const std::function<void(Index, Index)>& report) {
   // The triangles at each edge of the hub.
   std::vector<std::pair<Index, std::size_t>> edges;
   for (std::size_t i = 0; i < spokes.size(); ++i)
@@ -158,7 +156,7 @@ void search_hub(const Scaled& scaled, Index hub, std::span<const Spoke> spokes, 
       auto& hubs = faces[spoke].hubs;
       hubs[hubs[0] < 0 ? 0 : 1] = edges[j].first;
     }
-    search_edge(scaled, hub, edges[i].first, at_edge, r, report);
+    search_edge(scaled, hub, edges[i].first, at_edge, r, threads, report);
   }
   const Vector origin = scaled[hub];
   std::vector<Piece> pieces;
@@ -171,7 +169,7 @@ void search_hub(const Scaled& scaled, Index hub, std::span<const Spoke> spokes, 
         nearest > 2 * r ? std::min(everything, 2 * r / nearest + rounding_of_directions) : everything;
     add_arc(u.unit, w.unit, piece, pieces);
   }
-  near_pieces(pieces, Compare::all, report);
+  near_pieces(pieces, Compare::all, threads, report);
 }
 
 }  // namespace
@@ -188,7 +186,7 @@ Hubs::Hubs(std::span<const Vector> points, std::span<const Triangle> triangles,
   std::transform(count.begin(), count.end(), is_hub_.begin(), [&](std::uint32_t n) { return n > most; });
 }
 
-void Hubs::candidates(const std::function<double(Index)>& room,
+void Hubs::candidates(const std::function<double(Index)>& room, Threads threads,
                       const std::function<void(Index, Index)>& report) const {
   if (!any_) return;
   const Scaled scaled(points_, triangles_, excluded_);
@@ -232,22 +230,26 @@ void Hubs::candidates(const std::function<double(Index)>& room,
     piece.slack = piece.slack * (1 + 0x1p-40) + 2 * rounding_of_pieces * largest + smallest_length;
     pieces.push_back(piece);
   }
-  near_pieces(pieces, Compare::pairs_with_hub, report);
+  near_pieces(pieces, Compare::pairs_with_hub, threads, report);
 
   std::stable_sort(at.begin(), at.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < at.size(); ++i)
     if (i == 0 || at[i].first != at[i - 1].first) starts.push_back(i);
   starts.push_back(at.size());
-  tbb::parallel_for(std::size_t{0}, starts.size() - 1, [&](std::size_t i) {
+  const auto search = [&](std::size_t i) {
     std::vector<Spoke> spokes;
     double widest = 0;
     for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) {
       spokes.push_back(at[k].second);
       widest = std::max(widest, spread(static_cast<std::size_t>(at[k].second.triangle)));
     }
-    search_hub(scaled, at[starts[i]].first, spokes, most_, 2 * widest, report);
-  });
+    search_hub(scaled, at[starts[i]].first, spokes, most_, 2 * widest, threads, report);
+  };
+  if (threads == Threads::all)
+    tbb::parallel_for(std::size_t{0}, starts.size() - 1, search);
+  else
+    for (std::size_t i = 0; i + 1 < starts.size(); ++i) search(i);
 }
 
 }  // namespace tetproof::verify

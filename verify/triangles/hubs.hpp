@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "verify/triangles/edges.hpp"
+#include "verify/triangles/near_pieces.hpp"
 
 namespace tetproof::verify {
 
@@ -32,14 +33,14 @@ class Hubs {
   /// vertices and edges, or are near each other in the sense of Nearby::look, or both. `room(t)`: by how much
   /// the box of a triangle is enlarged [length]; two triangles are near only if a part of one that the other
   /// does not share is within the sum of both from the other. Reports other pairs, too, and pairs more than
-  /// once, from several threads and in any order. Whatever `report` throws ends the search.
-  void candidates(const std::function<double(Index)>& room,
+  /// once. Whatever `report` throws ends the search.
+  void candidates(const std::function<double(Index)>& room, Threads threads,
                   const std::function<void(Index, Index)>& report) const;
 
  private:
   std::span<const Eigen::Vector3d> points_;
   std::span<const Triangle> triangles_;
-  const std::vector<std::uint8_t>& excluded_;
+  std::span<const std::uint8_t> excluded_;
   std::size_t most_;
   bool any_ = false;
   std::vector<std::uint8_t> is_hub_;

@@ -88,28 +88,45 @@ bool meet(const Box& x, const Box& y) {
   return true;
 }
 
-// Finds some of very many pairs that meet, at least one: compares each triangle with those before it until
-// there are enough pairs or too many comparisons.
+struct TooManyPairs {};
+
+// Finds some of very many pairs that meet, at least one; which ones does not depend on the threads. Takes
+// pairs at hubs first. Then compares each of the other triangles with those before it, until there are enough
+// pairs or too many comparisons.
 std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
-                                             std::span<const Triangle> triangles,
-                                             const std::vector<Box>& boxes, std::size_t enough) {
+                                             std::span<const Triangle> triangles, const Hubs& hubs,
+                                             const std::vector<Box>& without_hub, std::size_t enough) {
   constexpr std::size_t most_compared = 2'000'000'000;
   std::vector<std::array<Index, 2>> pairs;
+  const auto add_if_meeting = [&](Index s, Index t) {
+    const auto pair = std::array{std::min(s, t), std::max(s, t)};
+    if (triangles_meet(points, triangles[static_cast<std::size_t>(pair[0])],
+                       triangles[static_cast<std::size_t>(pair[1])]))
+      pairs.push_back(pair);
+  };
+  try {
+    hubs.candidates([](Index) { return 0.0; }, Threads::one,
+                    [&](Index s, Index t) {
+                      add_if_meeting(s, t);
+                      if (pairs.size() < 2 * enough) return;
+                      keep_first(pairs, pairs.size());
+                      if (pairs.size() >= enough) throw TooManyPairs{};
+                    });
+  } catch (const TooManyPairs&) {
+  }
+  keep_first(pairs, enough);
+  const std::vector<Box>& boxes = without_hub;
   std::size_t compared = 0;
   for (std::size_t i = 0;
        i < boxes.size() && pairs.size() < enough && (pairs.empty() || compared < most_compared); ++i) {
     compared += i;
-    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k) {
-      const Box &x = boxes[k], &y = boxes[i];
-      if (meet(x, y) && triangles_meet(points, triangles[x.number], triangles[y.number]))
-        pairs.push_back({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-    }
+    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k)
+      if (meet(boxes[k], boxes[i]))
+        add_if_meeting(static_cast<Index>(boxes[k].number), static_cast<Index>(boxes[i].number));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
-
-struct TooManyPairs {};
 
 // Counts pairs from many threads. Ends the search by an exception after most_counted_pairs.
 class Counter {
@@ -258,7 +275,7 @@ void search_hubs(const Hubs& hubs, const std::function<Box(Index)>& box, double 
                  Intersections& result) {
   Distinct distinct;
   try {
-    hubs.candidates([&](Index) { return room; },
+    hubs.candidates([&](Index) { return room; }, Threads::all,
                     [&](Index s, Index t) {
                       const Box x = box(s), y = box(t);
                       if (meet(x, y) && decider.finds(x, y)) distinct.add(s, t);
@@ -311,12 +328,9 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
     return result;
   }
   if (decider.too_many_meet()) {
-    boxes.clear();
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      if (excluded.empty() || !excluded[t]) boxes.push_back(box_in_room(t));
     return {.more = true,
             .count = most_counted_pairs,
-            .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};
+            .pairs = some_pairs(points, triangles, hubs, boxes, std::min<std::size_t>(most, 1000))};
   }
   keep_first(result, most);
   return result;

@@ -30,10 +30,9 @@ bool have_common(const Hubs& a, const Hubs& b) {
   return false;
 }
 
-// Two tasks about `size` pieces together.
 template <class F, class G>
-void both(std::size_t size, const F& f, const G& g) {
-  if (size >= large)
+void both(bool parallel, const F& f, const G& g) {
+  if (parallel)
     tbb::parallel_invoke(f, g);
   else
     f(), g();
@@ -144,7 +143,7 @@ class Tree {
       const std::size_t half = part.size() / 2;
       auto group = std::make_unique<Group>(Group{part.front().begin, part.back().end});
       both(
-          group->size(), [&] { group->left = self(self, part.first(half)); },
+          group->size() >= large, [&] { group->left = self(self, part.first(half)); },
           [&] { group->right = self(self, part.subspan(half)); });
       summarise(*group);
       group->hubs = no_hubs;
@@ -162,7 +161,7 @@ class Tree {
     if (end - begin > few) {
       const std::size_t middle = divide(begin, end);
       both(
-          end - begin, [&] { group->left = build(begin, middle); },
+          end - begin >= large, [&] { group->left = build(begin, middle); },
           [&] { group->right = build(middle, end); });
     }
     summarise(*group);
@@ -229,8 +228,12 @@ class Tree {
 
 class Search {
  public:
-  Search(const std::vector<Piece>& pieces, Compare compare, const std::function<void(Index, Index)>& report)
-      : tree_(pieces), compare_(compare), report_(report) {
+  Search(const std::vector<Piece>& pieces, Compare compare, Threads threads,
+         const std::function<void(Index, Index)>& report)
+      : tree_(pieces),
+        compare_(compare),
+        smallest_task_(threads == Threads::all ? large : ~std::size_t{0}),
+        report_(report) {
     within(tree_.root());
   }
 
@@ -249,7 +252,7 @@ class Search {
       return;
     }
     both(
-        group.size(), [&] { within(*group.left), within(*group.right); },
+        group.size() >= smallest_task_, [&] { within(*group.left), within(*group.right); },
         [&] { between(*group.left, *group.right); });
   }
 
@@ -264,7 +267,8 @@ class Search {
     const bool first = a.left && (!b.left || a.size() >= b.size());
     const Group &whole = first ? a : b, &other = first ? b : a;
     both(
-        a.size() + b.size(), [&] { between(*whole.left, other); }, [&] { between(*whole.right, other); });
+        a.size() + b.size() >= smallest_task_, [&] { between(*whole.left, other); },
+        [&] { between(*whole.right, other); });
   }
 
   void compare(const Piece& a, const Piece& b) const {
@@ -274,14 +278,15 @@ class Search {
 
   const Tree tree_;
   Compare compare_;
+  std::size_t smallest_task_;
   const std::function<void(Index, Index)>& report_;
 };
 
 }  // namespace
 
-void near_pieces(const std::vector<Piece>& pieces, Compare compare,
+void near_pieces(const std::vector<Piece>& pieces, Compare compare, Threads threads,
                  const std::function<void(Index, Index)>& report) {
-  if (pieces.size() > 1) Search(pieces, compare, report);
+  if (pieces.size() > 1) Search(pieces, compare, threads, report);
 }
 
 }  // namespace tetproof::verify

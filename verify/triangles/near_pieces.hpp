@@ -29,13 +29,18 @@ enum class Compare {
   pairs_with_hub,  ///< of these only pairs one of which has a hub
 };
 
+enum class Threads {
+  all,  ///< calls come from several threads and in any order
+  one,  ///< calls come from the caller's thread, in an order that depends only on the arguments
+};
+
 /// Calls `report(owner, other)` for each pair of pieces whose enlarged hulls meet, if it is to be compared
-/// and the owners differ. Reports other pairs, too, and pairs more than once. Calls come from several threads
-/// and in any order. Whatever `report` throws ends the search.
+/// and the owners differ. Reports other pairs, too, and pairs more than once. Whatever `report` throws ends
+/// the search.
 ///
 /// Takes n log n time if few pieces are near each other apart from those with a common hub: the pieces are
 /// grouped in a tree, and two groups are done as soon as a plane separates them or they have a common hub.
-void near_pieces(const std::vector<Piece>& pieces, Compare compare,
+void near_pieces(const std::vector<Piece>& pieces, Compare compare, Threads threads,
                  const std::function<void(Index, Index)>& report);
 
 }  // namespace tetproof::verify
