@@ -7,13 +7,12 @@
 #include <tbb/partitioner.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <mutex>
-#include <optional>
 
 #include "verify/triangles/box.hpp"
+#include "verify/triangles/decider.hpp"
 #include "verify/triangles/hubs.hpp"
 
 namespace tetproof::verify {
@@ -61,34 +60,11 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
   return slabs;
 }
 
-// Sorts the list, removes repeated items and keeps the first `most`.
-template <class T>
-void keep_first(std::vector<T>& list, std::size_t most) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  if (list.size() > most) list.resize(most), list.shrink_to_fit();
-}
-
-template <class T>
-void add(std::vector<T>& list, const T& item, std::size_t most) {
-  list.push_back(item);
-  if (list.size() > 2 * most + 1024) keep_first(list, most);
-}
-
-void keep_first(Intersections& all, std::size_t most) {
-  keep_first(all.pairs, most);
-  keep_first(all.contacts, most);
-  keep_first(all.folds, most);
-  keep_first(all.near, most);
-}
-
 bool meet(const Box& x, const Box& y) {
   for (int axis = 0; axis < 3; ++axis)
     if (x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis]) return false;
   return true;
 }
-
-struct TooManyPairs {};
 
 // Finds some of very many pairs that meet, at least one; which ones does not depend on the threads. Takes
 // pairs at hubs first. Then compares each of the other triangles with those before it, until there are enough
@@ -127,85 +103,6 @@ std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> po
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
-
-// Counts pairs from many threads. Ends the search by an exception after most_counted_pairs.
-class Counter {
- public:
-  void count_one() {
-    if (count_.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
-  }
-  bool too_many() const { return count_ > most_counted_pairs; }
-
- private:
-  std::atomic<std::int64_t> count_ = 0;
-};
-
-// Decides pairs of triangles and adds what it finds to a list of one thread.
-class Decider {
- public:
-  Decider(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, std::size_t most,
-          const Near* near)
-      : points_(points), triangles_(triangles), most_(most) {
-    if (near) nearby_.emplace(points, triangles, *near);
-  }
-
-  // Whether `add` would find anything.
-  bool finds(const Box& x, const Box& y) const {
-    const Triangle &first = triangles_[x.number], &second = triangles_[y.number];
-    if (nearby_ && nearby_->wide_apart(first, second)) return false;
-    const bool meeting = triangles_meet(points_, first, second);
-    if (meeting || !nearby_) return meeting;
-    const PairNearness pair = nearby_->look(x, y, meeting);
-    return pair.contact_count > 0 || pair.near || pair.fold;
-  }
-
-  void add(const Box& x, const Box& y, Intersections& found) {
-    const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-    if (nearby_ && nearby_->wide_apart(triangles_[low], triangles_[high])) return;
-    const bool meeting = triangles_meet(points_, triangles_[low], triangles_[high]);
-    if (meeting) {
-      ++found.count;
-      met_.count_one();
-      verify::add(found.pairs, std::array<Index, 2>{low, high}, most_);
-    }
-    if (!nearby_) return;
-    const PairNearness pair = nearby_->look(x, y, meeting);
-    if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs_.count_one();
-    for (int i = 0; i < pair.contact_count; ++i) verify::add(found.contacts, pair.contacts[i], most_);
-    if (pair.near) {
-      ++found.near_count;
-      verify::add(found.near, std::array<Index, 2>{low, high}, most_);
-    }
-    if (pair.fold) verify::add(found.folds, std::array<Index, 2>{low, high}, most_);
-  }
-
-  // The first items of the union are among the first items of its parts, so the order of the parts does not
-  // matter.
-  void join(Intersections& all, const Intersections& part) {
-    const std::lock_guard lock(joining_);
-    const auto append = [&](auto& list, const auto& more) {
-      list.insert(list.end(), more.begin(), more.end());
-      if (list.size() > 2 * most_ + 1024) keep_first(list, most_);
-    };
-    all.count += part.count;
-    all.near_count += part.near_count;
-    append(all.pairs, part.pairs);
-    append(all.contacts, part.contacts);
-    append(all.folds, part.folds);
-    append(all.near, part.near);
-  }
-
-  bool too_many_meet() const { return met_.too_many(); }
-  bool too_many_near() const { return near_pairs_.too_many(); }
-
- private:
-  std::span<const Eigen::Vector3d> points_;
-  std::span<const Triangle> triangles_;
-  std::size_t most_;
-  std::optional<Nearby> nearby_;
-  Counter met_, near_pairs_;
-  std::mutex joining_;
-};
 
 // Decides all pairs whose boxes meet.
 void search_slabs(const std::vector<Box>& boxes, std::size_t triangles, Decider& decider,
@@ -332,7 +229,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
             .count = most_counted_pairs,
             .pairs = some_pairs(points, triangles, hubs, boxes, std::min<std::size_t>(most, 1000))};
   }
-  keep_first(result, most);
+  keep_first_of_each(result, most);
   return result;
 }
 
