@@ -81,18 +81,19 @@ Eigen::Matrix3d some_rotation(std::mt19937_64& random) {
 Soup random_hubs(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Soup soup;
-  const int kind = static_cast<int>(seed % 6);
+  const int kind = static_cast<int>(seed % 7);
   for (int i = 0; i < 24; ++i) {
     Eigen::Vector3d p(uniform(random), uniform(random), uniform(random));
     if (kind == 0) p = (3 * p).array().floor();              // every special position
     if (kind == 1) p[2] = 0;                                 // all in one plane
     if (kind == 2) p[2] *= 1e-9;                             // nearly in one plane
     if (kind == 3) p *= std::pow(10, -8 * uniform(random));  // of all sizes
-    // Near others: on a coarse lattice, or a few times the near distance from it.
-    if (kind >= 4) p = (3 * p).array().floor() + 4e-12 * p.array();
+    // Near others: a few times the near distance from a coarse lattice, which may be small beside the rest.
+    if (kind >= 4)
+      p = (kind == 6 && i < 20 ? 1e-6 : 1) * Eigen::Vector3d((3 * p).array().floor()) + 4e-12 * p;
     soup.points.push_back(p);
   }
-  if (kind == 5) {
+  if (kind >= 5) {
     const Eigen::Matrix3d turn = some_rotation(random);
     for (Eigen::Vector3d& p : soup.points) p = turn * p;
   }
