@@ -25,14 +25,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3, help="runs of every command, of which the median counts; 3")
     parser.add_argument("--cores", default=None, help="cores to run on, as in 0 or 0,1; all")
-    parser.add_argument("--only", default="skull,torus,growth,verify,judge,hot,adapt,formats",
-                        help="of skull,torus,growth,verify,judge,hot,adapt,formats")
+    parser.add_argument("--only", default="skull,torus,growth,verify,judge,fans,hot,adapt,formats",
+                        help="of skull,torus,growth,verify,judge,fans,hot,adapt,formats")
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), help="where the programs are; build")
     parser.add_argument("--out", default=os.path.join(ROOT, "out", "bench"), help="where files go; out/bench")
     arguments = parser.parse_args()
     bench = Bench(arguments)
-    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "judge": bench.judge, "hot": bench.hot, "adapt": bench.adapt,
-                "formats": bench.formats}
+    sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "judge": bench.judge, "fans": bench.fans, "hot": bench.hot,
+                "adapt": bench.adapt, "formats": bench.formats}
     chosen = arguments.only.split(",")
     for name in chosen:
         if name not in sections:
@@ -173,6 +173,10 @@ class Bench:
     def judge(self):
         """The judge's growth up to 10^7 tetrahedra, beside others that check meshes."""
         judge.judge(self, ele_tets)
+
+    def fans(self):
+        """The judge's growth on fans of up to 10^5 tetrahedra around one edge."""
+        judge.fans(self)
 
     def hot(self):
         """Single phases on one thread, as rates."""

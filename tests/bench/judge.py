@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The judge beside other checkers on the same meshes: a cube of 10^5, 10^6 and 10^7 tetrahedra by TetGen.
+"""The judge beside other checkers on the same meshes: a cube of 10^5, 10^6 and 10^7 tetrahedra by TetGen. And the judge alone on
+fans of tetrahedra around one edge.
 
 Every program reads its file and checks validity; none of ours is left out. The others prove less: see corpus/bad-meshes/MATRIX.md."""
 import json
+import math
 import os
+import random
 import shutil
 import statistics
 
@@ -125,3 +128,38 @@ def phases(bench, command):
             report = json.load(file)
         runs.append(report["seconds"])
     return report["mesh"]["tets"], {name: statistics.median(run[name] for run in runs) for name in runs[0]}
+
+
+FANS = [("10^3", 1000), ("10^4", 10_000), ("10^5", 100_000)]
+
+
+def write_fan(path, count):
+    """PATH.node and PATH.ele: tetrahedra around the edge from (0, 0, 1) to (0, 0, -1), whose other vertices are at random distances of 1 to 1.3."""
+    rng = random.Random(1)
+    points = [(0.0, 0.0, 1.0), (0.0, 0.0, -1.0)]
+    for i in range(count):
+        angle, radius = 2 * math.pi * i / count, 1 + 0.3 * rng.random()
+        points.append((radius * math.cos(angle), radius * math.sin(angle), 0.1 * (rng.random() - 0.5)))
+    with open(path + ".node", "w") as file:
+        file.write(f"{len(points)} 3 0 0\n")
+        file.writelines(f"{i} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in enumerate(points))
+    with open(path + ".ele", "w") as file:
+        file.write(f"{count} 4 0\n")
+        file.writelines(f"{i} 1 0 {2 + i} {2 + (i + 1) % count}\n" for i in range(count))
+
+
+def fans(bench):
+    """The judge where the boundary has vertices of very many faces: growth, and what a second thread saves."""
+    rows = []
+    for power, count in FANS:
+        write_fan(bench.path("fan" + power.replace("^", "")), count)
+        file = "fan" + power.replace("^", "") + ".ele"
+        commands = [bench.command(f"fan of {power}, {threads} thread{'s' if threads > 1 else ''}", bench.ours("tetproof-verify"), file, "--threads", threads)
+                    for threads in sorted({1, len(bench.cores)}, reverse=True)]
+        bench.measure("fans", commands)
+        rows += [(count, threads, command) for threads, command in zip(sorted({1, len(bench.cores)}, reverse=True), commands)]
+    print("### Fans: all tetrahedra around one edge\n\n"
+          "| tetrahedra | threads | wall s | CPU s | microseconds of CPU a tetrahedron | peak MiB |\n|---|---|---|---|---|---|")
+    for count, threads, c in rows:
+        print(f"| {count:,} | {threads} | {c.wall:.2f} ± {100 * c.spread():.0f} % | {c.cpu:.2f} | {1e6 * c.cpu / count:.1f} | {c.memory:,.0f} |")
+    print(flush=True)

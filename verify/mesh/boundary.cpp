@@ -12,20 +12,21 @@ namespace {
 // the edge; each tetrahedron links two of them. The connected components are the wedges. If all faces of a
 // wedge match, it is a path between two boundary faces.
 struct Wedges {
-  std::vector<std::array<Index, 2>> links;
+  std::vector<std::pair<Index, Index>> links;  // each in both directions; ascending when `other_end` is asked
+
+  void add(Index a, Index b) { links.emplace_back(a, b), links.emplace_back(b, a); }
 
   // Follows the path from `third` to its other end; -1 if there is no such path.
   Index other_end(Index third) const {
-    Index here = third;
-    std::size_t last = links.size();
+    Index before = -1, here = third;
     for (std::size_t steps = 0; steps <= links.size(); ++steps) {
-      std::size_t way = links.size(), ways = 0;
-      for (std::size_t i = 0; i < links.size(); ++i)
-        if (i != last && (links[i][0] == here || links[i][1] == here)) way = i, ++ways;
-      if (ways == 0) return here == third ? -1 : here;
-      if (ways > 1) return -1;
-      here = links[way][0] == here ? links[way][1] : links[way][0];
-      last = way;
+      const auto first = std::lower_bound(links.begin(), links.end(), std::pair(here, Index{-1}));
+      const auto last = std::lower_bound(first, links.end(), std::pair(here + 1, Index{-1}));
+      const auto ways = last - first;
+      if (before >= 0 && ways == 1) return here;
+      if (ways != (before >= 0 ? 2 : 1) || (ways == 2 && first[0] == first[1])) return -1;
+      const Index next = first->second != before ? first->second : first[1].second;
+      before = std::exchange(here, next);
     }
     return -1;
   }
@@ -51,18 +52,22 @@ void pair_wedges(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded,
         const auto found = around.find(std::minmax({tet[i], tet[j]}));
         if (found == around.end()) continue;
         const int k = i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2, l = 6 - i - j - k;
-        found->second.links.push_back({tet[k], tet[l]});
+        found->second.add(tet[k], tet[l]);
       }
   }
   const auto third = [&](Side s) {
     return triangles[static_cast<std::size_t>(s / 3)][static_cast<std::size_t>((s + 2) % 3)];
   };
   for (const std::vector<Side>& sides : edges.nonmanifold) {
-    const Wedges& wedges = around[std::minmax({from(triangles, sides[0]), to(triangles, sides[0])})];
-    for (const Side s : sides) {
-      const Index end = wedges.other_end(third(s));
-      for (const Side other : sides)
-        if (other != s && third(other) == end && wedges.other_end(end) == third(s)) mate[s] = other;
+    Wedges& wedges = around[std::minmax({from(triangles, sides[0]), to(triangles, sides[0])})];
+    std::sort(wedges.links.begin(), wedges.links.end());
+    std::vector<std::pair<Index, Side>> by_third;
+    for (const Side s : sides) by_third.emplace_back(third(s), s);
+    std::sort(by_third.begin(), by_third.end());
+    for (const auto& [v, s] : by_third) {
+      const Index end = wedges.other_end(v);
+      const auto other = std::lower_bound(by_third.begin(), by_third.end(), std::pair(end, Side{0}));
+      if (end >= 0 && other != by_third.end() && other->first == end) mate[s] = other->second;
     }
   }
 }

@@ -2,16 +2,18 @@
 #include "verify/triangles/intersections.hpp"
 
 #include <CGAL/box_intersection_d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
-#include <atomic>
+#include <functional>
 #include <limits>
 #include <mutex>
-#include <optional>
 
 #include "verify/triangles/box.hpp"
+#include "verify/triangles/decider.hpp"
+#include "verify/triangles/hubs.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -58,95 +60,60 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
   return slabs;
 }
 
-// Sorts the list, removes repeated items and keeps the first `most`.
-template <class T>
-void keep_first(std::vector<T>& list, std::size_t most) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  if (list.size() > most) list.resize(most), list.shrink_to_fit();
+bool meet(const Box& x, const Box& y) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis]) return false;
+  return true;
 }
 
-template <class T>
-void add(std::vector<T>& list, const T& item, std::size_t most) {
-  list.push_back(item);
-  if (list.size() > 2 * most + 1024) keep_first(list, most);
-}
-
-// What is near is kept whole: the search ends before there is too much of it. A pair has six contacts at
-// most.
-constexpr std::size_t all_near = 6 * static_cast<std::size_t>(most_counted_pairs);
-
-void keep_first(Intersections& all, std::size_t most) {
-  keep_first(all.pairs, most);
-  keep_first(all.contacts, all_near);
-  keep_first(all.folds, all_near);
-  keep_first(all.near, all_near);
-}
-
-// Finds some of very many pairs that meet, at least one: compares each triangle with those before it until
-// there are enough pairs or too many comparisons.
+// Finds some of very many pairs that meet, at least one; which ones does not depend on the threads. Takes
+// pairs at hubs first. Then compares each of the other triangles with those before it, until there are enough
+// pairs or too many comparisons.
 std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> points,
-                                             std::span<const Triangle> triangles,
-                                             const std::vector<Box>& boxes, std::size_t enough) {
+                                             std::span<const Triangle> triangles, const Hubs& hubs,
+                                             const std::vector<Box>& without_hub, std::size_t enough) {
   constexpr std::size_t most_compared = 2'000'000'000;
   std::vector<std::array<Index, 2>> pairs;
+  const auto add_if_meeting = [&](Index s, Index t) {
+    const auto pair = std::array{std::min(s, t), std::max(s, t)};
+    if (triangles_meet(points, triangles[static_cast<std::size_t>(pair[0])],
+                       triangles[static_cast<std::size_t>(pair[1])]))
+      pairs.push_back(pair);
+  };
+  try {
+    hubs.candidates([](Index) { return 0.0; }, Threads::one,
+                    [&](Index s, Index t) {
+                      add_if_meeting(s, t);
+                      if (pairs.size() < 2 * enough) return;
+                      keep_first(pairs, pairs.size());
+                      if (pairs.size() >= enough) throw TooManyPairs{};
+                    });
+  } catch (const TooManyPairs&) {
+  }
+  keep_first(pairs, enough);
+  const std::vector<Box>& boxes = without_hub;
   std::size_t compared = 0;
   for (std::size_t i = 0;
        i < boxes.size() && pairs.size() < enough && (pairs.empty() || compared < most_compared); ++i) {
     compared += i;
-    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k) {
-      const Box &x = boxes[k], &y = boxes[i];
-      bool apart = false;
-      for (int axis = 0; axis < 3; ++axis)
-        apart = apart || x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis];
-      if (!apart && triangles_meet(points, triangles[x.number], triangles[y.number]))
-        pairs.push_back({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-    }
+    for (std::size_t k = 0; k < i && pairs.size() < enough; ++k)
+      if (meet(boxes[k], boxes[i]))
+        add_if_meeting(static_cast<Index>(boxes[k].number), static_cast<Index>(boxes[i].number));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-struct TooManyPairs {};
-
-// Counts pairs from many threads. Ends the search by an exception after most_counted_pairs.
-class Counter {
- public:
-  void count_one() {
-    if (count_.fetch_add(1, std::memory_order_relaxed) >= most_counted_pairs) throw TooManyPairs{};
-  }
-  bool too_many() const { return count_ > most_counted_pairs; }
-
- private:
-  std::atomic<std::int64_t> count_ = 0;
-};
-
-}  // namespace
-
-Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
-                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
-                                 const Near* near) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (excluded.empty() || !excluded[t]) {
-      boxes.push_back(box_of(points, triangles[t], t));
-      const double room = near ? near->room(static_cast<Index>(t)) : 0;
-      for (int k = 0; k < 3; ++k) boxes.back().low[k] -= room, boxes.back().high[k] += room;
-    }
-  Intersections result;
-  if (boxes.empty()) return result;
-
+// Decides all pairs whose boxes meet.
+void search_slabs(const std::vector<Box>& boxes, std::size_t triangles, Decider& decider,
+                  Intersections& result) {
+  if (boxes.empty()) return;
   const Slabs slabs = make_slabs(boxes);
-  std::vector<std::uint32_t> begins(triangles.size()), ends(triangles.size());
+  std::vector<std::uint32_t> begins(triangles), ends(triangles);
   tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
     begins[boxes[i].number] = slabs.slab_of(boxes[i].low[slabs.axis]);
     ends[boxes[i].number] = slabs.slab_of(boxes[i].high[slabs.axis]);
   });
-  const std::optional<Nearby> nearby =
-      near ? std::optional<Nearby>(std::in_place, points, triangles, *near) : std::nullopt;
-  std::mutex joining;
-  Counter met, near_pairs;
   tbb::parallel_for(
       std::size_t{0}, slabs.splits.size() + 1,
       [&](std::size_t slab) {
@@ -155,21 +122,7 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
           if (begins[box.number] <= slab && slab <= ends[box.number]) mine.push_back(box);
         Intersections found;
         const auto meet = [&](const Box& x, const Box& y) {
-          if (std::max(begins[x.number], begins[y.number]) != slab) return;
-          const auto [low, high] = std::minmax({static_cast<Index>(x.number), static_cast<Index>(y.number)});
-          if (nearby && nearby->wide_apart(low, high)) return;
-          const bool meeting = triangles_meet(points, triangles[low], triangles[high]);
-          if (meeting) {
-            ++found.count;
-            met.count_one();
-            add(found.pairs, std::array<Index, 2>{low, high}, most);
-          }
-          if (!nearby) return;
-          const PairNearness pair = nearby->look(x, y, meeting);
-          if (pair.contact_count > 0 || pair.near || pair.fold) near_pairs.count_one();
-          for (int i = 0; i < pair.contact_count; ++i) add(found.contacts, pair.contacts[i], all_near);
-          if (pair.near) add(found.near, std::array<Index, 2>{low, high}, all_near);
-          if (pair.fold) add(found.folds, std::array<Index, 2>{low, high}, all_near);
+          if (std::max(begins[x.number], begins[y.number]) == slab) decider.add(x, y, found);
         };
         try {
           // Below the cutoff CGAL sweeps instead of splitting further. A cutoff of 1000 halves the time of
@@ -180,32 +133,102 @@ Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::s
         } catch (const TooManyPairs&) {
           return;
         }
-        // The first items of the union are among the first items of its parts, so the order of the parts does
-        // not matter.
-        const std::lock_guard lock(joining);
-        const auto join = [&](auto& all, const auto& part, std::size_t kept) {
-          all.insert(all.end(), part.begin(), part.end());
-          if (all.size() > 2 * kept + 1024) keep_first(all, kept);
-        };
-        result.count += found.count;
-        join(result.pairs, found.pairs, most);
-        join(result.contacts, found.contacts, all_near);
-        join(result.folds, found.folds, all_near);
-        join(result.near, found.near, all_near);
+        decider.join(result, found);
       },
       tbb::simple_partitioner());
+}
+
+// Pairs from many threads, each kept once.
+class Distinct {
+ public:
+  void add(Index s, Index t) {
+    auto& mine = local_.local();
+    mine.push_back({std::min(s, t), std::max(s, t)});
+    if (mine.size() < most_local) return;
+    const std::lock_guard lock(joining_);
+    merge(mine);
+    // Then more than most_counted_pairs meet, or more than that are near each other.
+    if (all_.size() > 2 * most_counted_pairs) throw TooManyPairs{};
+  }
+  const std::vector<std::array<Index, 2>>& pairs() {
+    for (auto& mine : local_) merge(mine);
+    return all_;
+  }
+
+ private:
+  static constexpr std::size_t most_local = 1 << 20;
+  void merge(std::vector<std::array<Index, 2>>& more) {
+    all_.insert(all_.end(), more.begin(), more.end());
+    more.clear();
+    keep_first(all_, all_.size());
+  }
+  tbb::enumerable_thread_specific<std::vector<std::array<Index, 2>>> local_;
+  std::vector<std::array<Index, 2>> all_;
+  std::mutex joining_;
+};
+
+// Decides all pairs of which one triangle is at a hub.
+void search_hubs(const Hubs& hubs, const std::function<Box(Index)>& box,
+                 const std::function<double(Index)>& room, Decider& decider, Intersections& result) {
+  Distinct distinct;
+  try {
+    hubs.candidates(room, Threads::all, [&](Index s, Index t) {
+      const Box x = box(s), y = box(t);
+      if (meet(x, y) && decider.finds(x, y)) distinct.add(s, t);
+    });
+  } catch (const TooManyPairs&) {  // deciding those that were found will count too many
+  }
+  const auto& pairs = distinct.pairs();
+  constexpr std::size_t piece = 4096;
+  tbb::parallel_for(std::size_t{0}, (pairs.size() + piece - 1) / piece, [&](std::size_t i) {
+    Intersections found;
+    try {
+      for (std::size_t k = i * piece; k < std::min(pairs.size(), (i + 1) * piece); ++k)
+        decider.add(box(pairs[k][0]), box(pairs[k][1]), found);
+    } catch (const TooManyPairs&) {
+      return;
+    }
+    decider.join(result, found);
+  });
+}
+
+}  // namespace
+
+Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
+                                 const std::vector<std::uint8_t>& excluded, std::size_t most,
+                                 const Near* near, std::size_t hub_from) {
+  const auto room = [near](Index t) { return near ? near->room(t) : 0.0; };
+  const auto box_in_room = [&](std::size_t t) {
+    Box box = box_of(points, triangles[t], t);
+    const double wider = room(static_cast<Index>(t));
+    for (int k = 0; k < 3; ++k) box.low[k] -= wider, box.high[k] += wider;
+    return box;
+  };
+  const Hubs hubs(points, triangles, excluded, hub_from);
+  std::vector<Box> boxes;  // of the triangles without a hub
+  boxes.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if ((excluded.empty() || !excluded[t]) && !hubs.at_hub(triangles[t])) boxes.push_back(box_in_room(t));
+
+  Intersections result;
+  Decider decider(points, triangles, most, near);
+  search_slabs(boxes, triangles.size(), decider, result);
+  if (!hubs.none() && !decider.too_many_near() && !decider.too_many_meet())
+    search_hubs(
+        hubs, [&](Index t) { return box_in_room(static_cast<std::size_t>(t)); }, room, decider, result);
   // Whether there are too many pairs does not depend on the threads. Which of them were found first does, so
   // these lists are not used.
-  if (near && near_pairs.too_many()) {
-    result = self_intersections(points, triangles, excluded, most);
+  if (decider.too_many_near()) {
+    result = self_intersections(points, triangles, excluded, most, nullptr, hub_from);
     result.more_near = true;
     return result;
   }
-  if (met.too_many())
+  if (decider.too_many_meet()) {
     return {.more = true,
             .count = most_counted_pairs,
-            .pairs = some_pairs(points, triangles, boxes, std::min<std::size_t>(most, 1000))};
-  keep_first(result, most);
+            .pairs = some_pairs(points, triangles, hubs, boxes, std::min<std::size_t>(most, 1000))};
+  }
+  keep_first_of_each(result, most);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/triangles/edges.hpp"
+#include "verify/triangles/hubs.hpp"
 #include "verify/triangles/near_distance.hpp"
 #include "verify/triangles/near_pairs.hpp"
 #include "verify/triangles/triangle_pairs.hpp"
@@ -37,9 +38,11 @@ struct Intersections {
 };
 
 /// Finds all pairs that meet; with `near`, also those that are near. Leaves out the `excluded` triangles (the
-/// degenerate ones). Takes near-linear time plus a constant for each pair whose boxes meet.
+/// degenerate ones). Takes near-linear time plus a constant for each pair whose boxes meet. A vertex of more
+/// than `hub_from` triangles is a hub (hubs.hpp), where the boxes of all pairs meet: only those pairs
+/// count there that a closer look cannot tell apart.
 Intersections self_intersections(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles,
                                  const std::vector<std::uint8_t>& excluded, std::size_t most = 100000,
-                                 const Near* near = nullptr);
+                                 const Near* near = nullptr, std::size_t hub_from = most_at_vertex);
 
 }  // namespace tetproof::verify
