@@ -43,13 +43,14 @@ struct Box {
       : low(t[0].cwiseMin(t[1]).cwiseMin(t[2])), high(t[0].cwiseMax(t[1]).cwiseMax(t[2])) {}
 };
 
-// Tells on which sides of a triangle's plane the corners of a cell lie. Most are told by doubles. With u = t1
-// - t0, v = t2 - t0 and w = p - t0, `orientation` is the sign of H = (u x v) . w. Its value h in doubles has
-// at most 8 roundings on the way from any coordinate, so |h - H| < 8.01 * 2^-53 M, where M is the sum of the
-// magnitudes of its terms. The products u_i v_j may also lose 2^-1075 each to underflow, which w multiplies,
-// and so may the last ones: in a lattice, where |w| < 1e97, less than 1e-220 together. M is rounded 8 times
-// as well. So |h| > 1e-15 M + 1e-220 decides. It is false if h or M is infinite or not a number: |h| <= M
-// also in doubles, because rounding is monotonic.
+// Tells on which sides of a triangle's plane the corners of a cell lie, most of them by doubles.
+//
+// With u = t1 - t0, v = t2 - t0 and w = p - t0, `orientation` is the sign of H = (u x v) . w. Let h be its
+// value in doubles, and M the sum of the magnitudes of its six products. A product has at most 8 roundings on
+// the way from a coordinate to h, so |h - H| < 8.01 * 2^-53 M. M has as many, so its value in doubles is as
+// good. Underflow adds less than 1e-220 in a lattice, where |w| < 1e97: each product of u and v loses at most
+// 2^-1075, which w multiplies, and each product with w as much. So h has the sign of H if |h| > 1e-15 M +
+// 1e-220. This is false if a value has overflowed: rounding is monotonic, so |h| <= M in doubles, too.
 class PlaneSides {
  public:
   explicit PlaneSides(const Triangle& t) : t_(t) {
@@ -91,9 +92,9 @@ class PlaneSides {
 
 void touch_cell(const Lattice& lattice, const Triangle& t, const Box& box, const PlaneSides& plane,
                 Index number, const std::array<int, 3>& cell, Contacts& contacts) {
-  int there = 0;  // the axes along which the cell has corners on both sides
-  int required =
-      0;  // those along which an edge must leave the cell's first corner to reach the triangle's box
+  // Bits of axes: along which the cell has an extent, and along which an edge from the cell's first corner
+  // must run to reach the triangle's box.
+  int there = 0, required = 0;
   Vector3d low, high;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<double>& planes = lattice.planes[axis];
