@@ -3,6 +3,7 @@
 #include "verify/verify.hpp"
 
 #include <fmt/core.h>
+#include <tbb/task_group.h>
 
 #include <chrono>
 #include <cmath>
@@ -63,6 +64,11 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   check_points(mesh, points, options.unjudged, record);
   phases.done("points");
 
+  tbb::task_group beside;  // keeps threads busy where the stages below use one
+  if (options.quality)
+    beside.run(
+        [&mesh, &points, &quality = report.quality] { quality = measure_quality(mesh, points.excluded); });
+
   const TetrahedraEvidence tetrahedra = examine_tetrahedra(mesh, points, record);
   check_tetrahedra(mesh, tetrahedra, record);
   Cracks cracks = examine_cracks(mesh, points, tetrahedra, record);
@@ -90,10 +96,8 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
     check_against_surface({mesh, points.excluded, boundary.boundary, volumes, options}, *surface, record);
     phases.done("against the surface");
   }
-  if (options.quality) {
-    report.quality = measure_quality(mesh, points.excluded);
-    phases.done("quality");
-  }
+  beside.wait();
+  if (options.quality) phases.done("quality");
   record.settle(mesh, options);
   phases.done("findings");
   return std::move(record.report);

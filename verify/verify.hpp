@@ -50,8 +50,8 @@ struct Options {
   /// faces. The mesh is judged as a whole, and each region gets its own account.
   std::vector<std::int64_t> regions{};
   Unjudged unjudged{};  ///< if there are any such elements, a mesh without defect is not sound but incomplete
-  bool timings = false;
-  bool quality = true;  ///< measure angles and aspect ratios
+  bool timings = false;  ///< quality is measured beside the other phases; its own is the rest
+  bool quality = true;   ///< measure angles and aspect ratios
 };
 
 /// Judges the mesh as it is written: nothing is re-wound, merged or repaired. All decisions are exact, and

@@ -48,12 +48,13 @@ template <std::size_t Corners>
 Document document_of_elements(const std::vector<Eigen::Vector3d>& points,
                               const std::vector<std::array<Index, Corners>>& elements, int type, int dim) {
   Document document;
+  io::reserve_in_large_pages(document.points, points.size());
   document.points = points;
   if (!points.empty()) document.node_blocks.push_back({.dim = dim, .entity = 1, .count = points.size()});
   if (elements.empty()) return document;
   document.blocks.push_back(
       {.type = type, .dim = dim, .entity = 1, .nodes_each = Corners, .count = elements.size()});
-  document.connectivity.reserve(elements.size() * Corners);
+  io::reserve_in_large_pages(document.connectivity, elements.size() * Corners);
   std::map<Index, Index> unknown;
   const Index nodes = static_cast<Index>(points.size());
   for (const auto& element : elements)

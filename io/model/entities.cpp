@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/model/entities.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -18,15 +21,44 @@ void grow(EntityBox& box, const Eigen::Vector3d& point) {
   }
 }
 
-void grow(EntityBox& box, const Document& document, const ElementBlock& block) {
-  for (std::size_t k = 0; k < block.count * block.nodes_each; ++k) {
-    const Index node = document.connectivity[block.nodes + k];
-    if (node >= 0) grow(box, document.points[node]);
+namespace {
+
+// Of equal numbers the first stays, as if the items came one by one: 0 and -0 are equal and written
+// differently.
+EntityBox joined(EntityBox box, const EntityBox& next) {
+  for (int k = 0; k < 3; ++k) {
+    box[k] = std::min(box[k], next[k]);
+    box[3 + k] = std::max(box[3 + k], next[k + 3]);
   }
+  return box;
+}
+
+// Grows the box by `count` items, in parallel. grow_by(box, i) grows a box by item i.
+template <class GrowBy>
+void grow_by_all(EntityBox& box, std::size_t count, const GrowBy& grow_by) {
+  using Range = tbb::blocked_range<std::size_t>;
+  const EntityBox all = tbb::parallel_reduce(
+      Range(0, count, 1 << 16), empty_box,
+      [&](const Range& range, EntityBox part) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) grow_by(part, i);
+        return part;
+      },
+      joined);
+  box = joined(box, all);
+}
+
+}  // namespace
+
+void grow(EntityBox& box, const Document& document, const ElementBlock& block) {
+  grow_by_all(box, block.count * block.nodes_each, [&](EntityBox& part, std::size_t i) {
+    const Index node = document.connectivity[block.nodes + i];
+    if (node >= 0) grow(part, document.points[node]);
+  });
 }
 
 void grow(EntityBox& box, const Document& document, const NodeBlock& block) {
-  for (std::size_t i = 0; i < block.count; ++i) grow(box, document.points[block.first + i]);
+  grow_by_all(box, block.count,
+              [&](EntityBox& part, std::size_t i) { grow(part, document.points[block.first + i]); });
 }
 
 std::vector<Entity> underived_entities(const Document& document) {

@@ -158,7 +158,9 @@ inline Point closest_point(const Triangle& t, const Point& p) {
     const double length2 = d.squaredNorm(), s = d.dot(p - from);
     candidates.push_back(!(s > 0) ? from : s < length2 ? Point(from + (s / length2) * d) : to);
   }
-  const Point normal = (b - a).cross(c - a);
+  // The normal divided by a power of two, exactly: its square is the fourth power of a length, which may be
+  // no double.
+  const Point n = (b - a).cross(c - a), normal = n / std::exp2(std::ilogb(n.cwiseAbs().maxCoeff()));
   const auto inside = [&](const Point& u, const Point& v) { return normal.dot((v - u).cross(p - u)) >= 0; };
   if (normal.squaredNorm() > 0 && inside(a, b) && inside(b, c) && inside(c, a))
     candidates.push_back(p - normal * (normal.dot(p - a) / normal.squaredNorm()));

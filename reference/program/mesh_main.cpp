@@ -46,12 +46,12 @@ const char* const examples =
 std::vector<std::pair<std::string, double>> phase_shares(bool adapts, bool reduces) {
   std::vector<std::pair<std::string, double>> shares;
   if (!adapts)
-    shares = {{"reading", 0.02},       {"judging the surface", 0.15}, {"contacts", 0.12},
-              {"intersections", 0.04}, {"indicators", 0.02},          {"extraction", 0.14},
-              {"positivity", 0.01},    {"verification", 0.42},        {"writing", 0.08}};
+    shares = {{"reading", 0.02},       {"judging the surface", 0.11}, {"contacts", 0.06},
+              {"intersections", 0.01}, {"indicators", 0.01},          {"extraction", 0.04},
+              {"positivity", 0.01},    {"verification", 0.69},        {"writing", 0.05}};
   else
-    shares = {{"reading", 0.05}, {"judging the surface", 0.16}, {"contacts", 0.06},     {"extraction", 0.02},
-              {"weights", 0.11}, {"insertion", 0.35},           {"verification", 0.22}, {"writing", 0.03}};
+    shares = {{"reading", 0.02}, {"judging the surface", 0.10}, {"contacts", 0.02},     {"extraction", 0.01},
+              {"weights", 0.09}, {"insertion", 0.48},           {"verification", 0.26}, {"writing", 0.02}};
   if (reduces) {
     for (auto& [name, share] : shares) share /= 2;
     shares.insert(shares.begin() + 2, {"reduction", 0.5});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the distances between a mesh's boundary and a surface, and checks them.
 #include <fmt/core.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -123,8 +124,8 @@ Comparison::Comparison(const JudgedMesh& mesh, const JudgedSurface& judged_surfa
                                         TriangleSet{surface.vertices, surface.triangles}};
   const Units units = units_of(sets);
   if (!units.usable) return;
-  mesh_tree.emplace(sets[0], units);
-  surface_tree.emplace(sets[1], units);
+  tbb::parallel_invoke([&] { mesh_tree.emplace(sets[0], units); },
+                       [&] { surface_tree.emplace(sets[1], units); });
 }
 
 DistanceEvidence measure_distances(const Comparison& c, Record& record) {

@@ -9,6 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "io/bytes/large_pages.hpp"
+
 namespace tetproof::verify {
 namespace {
 
@@ -55,9 +57,9 @@ TriangleTree::TriangleTree(TriangleSet set, const Units& units) : set_(set), uni
     items[t] = {(p + q + r) / 3, static_cast<Index>(t)};
     excluded[t] = a == b || b == c || c == a;
   });
-  nodes_.resize(std::max<std::size_t>(1, inner_nodes(n)));
+  io::resize_in_large_pages(nodes_, std::max<std::size_t>(1, inner_nodes(n)));
   split(items, 0, n, 0);
-  frames_.resize(n);
+  io::resize_in_large_pages(frames_, n);
   place_.resize(n);
   triangle_.resize(n);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/triangles/edges.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -24,6 +27,11 @@ class Sets {
  private:
   std::vector<Index> parent_;
 };
+
+template <class T>
+void append(std::vector<T>& list, std::vector<T>& more) {
+  list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
 
 Side next(Side s) {
   return s % 3 == 2 ? s - 2 : s + 1;
@@ -54,7 +62,8 @@ EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertic
   }
   EdgeMatching result;
   result.mate.assign(static_cast<std::size_t>(sides), no_side);
-  for (std::size_t low = 0; low < vertices; ++low) {
+  // Matches the sides whose lower vertex is `low`.
+  const auto match = [&](std::size_t low, EdgeMatching& found) {
     const auto first = records.begin() + start[low], last = records.begin() + start[low + 1];
     std::sort(first, last, [](const Record& a, const Record& b) {
       return a.high != b.high ? a.high < b.high : a.side < b.side;
@@ -63,18 +72,28 @@ EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertic
       auto j = i + 1;
       while (j < last && j->high == i->high) ++j;
       if (j - i == 1) {
-        result.open.push_back(i->side);
+        found.open.push_back(i->side);
       } else if (j - i == 2) {
         result.mate[i[0].side] = i[1].side;
         result.mate[i[1].side] = i[0].side;
         if (from(triangles, i[0].side) == from(triangles, i[1].side))
-          result.same_direction.push_back({i[0].side, i[1].side});
+          found.same_direction.push_back({i[0].side, i[1].side});
       } else {
-        std::vector<Side>& edge = result.nonmanifold.emplace_back();
+        std::vector<Side>& edge = found.nonmanifold.emplace_back();
         for (auto k = i; k < j; ++k) edge.push_back(k->side);
       }
       i = j;
     }
+  };
+  constexpr std::size_t piece = 4096;  // vertices
+  std::vector<EdgeMatching> parts((vertices + piece - 1) / piece);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    for (std::size_t low = p * piece; low < std::min(vertices, (p + 1) * piece); ++low) match(low, parts[p]);
+  });
+  for (EdgeMatching& part : parts) {
+    append(result.open, part.open);
+    append(result.same_direction, part.same_direction);
+    append(result.nonmanifold, part.nonmanifold);
   }
   return result;
 }

@@ -19,13 +19,15 @@
 namespace tetproof::verify {
 namespace {
 
-using MaskTree = openvdb::tree::Tree4<openvdb::ValueMask, 5, 4, 3>::Type;
+// The nodes of OpenVDB's tree, without `Tree` itself. Its virtual functions for files need libopenvdb.so,
+// which takes longer to load than a small mesh takes to judge; the nodes need only headers.
+using MaskTree = openvdb::tree::Tree4<openvdb::ValueMask, 5, 4, 3>::Type::RootNodeType;
 using Leaf = MaskTree::LeafNodeType;
 
 // The tree of all set bits: leaves of 8 x 8 x 8 voxels, and tiles where all 512 are set.
 std::unique_ptr<const MaskTree> make_tree(const VoxelBits& bits, const VoxelLattice& lattice) {
   const auto blocks = [&](int axis) { return (lattice.size[axis] + 7) / 8; };
-  auto tree = std::make_unique<MaskTree>();
+  auto tree = std::make_unique<MaskTree>(false);
   std::vector<std::vector<std::unique_ptr<Leaf>>> columns(static_cast<std::size_t>(blocks(0)) * blocks(1));
   tbb::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t column) {
     const int bi = static_cast<int>(column) / blocks(1) * 8, bj = static_cast<int>(column) % blocks(1) * 8;

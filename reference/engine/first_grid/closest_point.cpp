@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tetproof::reference {
@@ -40,7 +41,9 @@ Vector3d closest_point(std::array<Vector3d, 3> triangle, const Vector3d& p) {
   consider(closest_on_segment(b, c, p));
   // The foot of the perpendicular, if it falls inside the triangle. Where rounding misjudges that, the
   // closest point on an edge, found above, is almost as close.
-  const Vector3d normal = (b - a).cross(c - a);
+  // Divided by a power of two, exactly: its square, the fourth power of a length, may be too large or too
+  // small for a double. Not a number if the triangle has no area.
+  const Vector3d n = (b - a).cross(c - a), normal = n / std::exp2(std::ilogb(n.cwiseAbs().maxCoeff()));
   const auto inside = [&](const Vector3d& u, const Vector3d& v) {
     return normal.dot((v - u).cross(p - u)) >= 0;
   };

@@ -36,21 +36,85 @@ bool line_meets_triangle(const Triangle& t, const Vector3d& a, const Vector3d& b
   return s0 * s2 >= 0 && s1 * s2 >= 0;
 }
 
-void touch_cell(const Lattice& lattice, const Triangle& t, Index number, const std::array<int, 3>& cell,
-                Contacts& contacts) {
-  const auto [i, j, k] = cell;
-  const int there =
-      (i < lattice.cells[0] ? 1 : 0) | (j < lattice.cells[1] ? 2 : 0) | (k < lattice.cells[2] ? 4 : 0);
-  const Vertex base = lattice.vertex(i, j, k);
-  const Vector3d origin = lattice.point(i, j, k);
-  const int side = orientation(t[0], t[1], t[2], origin);
-  if (side == 0 && in_closed_triangle(t, origin)) contacts.on_surface.push_back(base);
+// The box of a triangle.
+struct Box {
+  Vector3d low, high;
+  explicit Box(const Triangle& t)
+      : low(t[0].cwiseMin(t[1]).cwiseMin(t[2])), high(t[0].cwiseMax(t[1]).cwiseMax(t[2])) {}
+};
+
+// Tells on which sides of a triangle's plane the corners of a cell lie, most of them by doubles.
+//
+// With u = t1 - t0, v = t2 - t0 and w = p - t0, `orientation` is the sign of H = (u x v) . w. Let h be its
+// value in doubles, and M the sum of the magnitudes of its six products. A product has at most 8 roundings on
+// the way from a coordinate to h, so |h - H| < 8.01 * 2^-53 M. M has as many, so its value in doubles is as
+// good. Underflow adds less than 1e-220 in a lattice, where |w| < 1e97: each product of u and v loses at most
+// 2^-1075, which w multiplies, and each product with w as much. So h has the sign of H if |h| > 1e-15 M +
+// 1e-220. This is false if a value has overflowed: rounding is monotonic, so |h| <= M in doubles, too.
+class PlaneSides {
+ public:
+  explicit PlaneSides(const Triangle& t) : t_(t) {
+    const Vector3d u = t[1] - t[0], v = t[2] - t[0];
+    for (int x = 0; x < 3; ++x) {
+      const int y = (x + 1) % 3, z = (x + 2) % 3;
+      const double plus = u[y] * v[z], minus = u[z] * v[y];
+      normal_[x] = plus - minus;
+      magnitude_[x] = std::abs(plus) + std::abs(minus);
+    }
+  }
+
+  // Corner c of the box is `high` along the axes of its bits: 1 for x, 2 for y, 4 for z. Returns the values
+  // of `orientation`.
+  std::array<std::int8_t, 8> of_corners(const Vector3d& low, const Vector3d& high) const {
+    const Vector3d w[2] = {low - t_[0], high - t_[0]};
+    const Vector3d part[2] = {normal_.cwiseProduct(w[0]), normal_.cwiseProduct(w[1])};
+    const Vector3d most = magnitude_.cwiseProduct(w[0].cwiseAbs().cwiseMax(w[1].cwiseAbs()));
+    const double bound = 1e-15 * (most.x() + most.y() + most.z()) + 1e-220;
+    std::array<std::int8_t, 8> sides;
+    for (int c = 0; c < 8; ++c) {
+      const double h = part[c & 1].x() + part[c >> 1 & 1].y() + part[c >> 2].z();
+      if (h > bound)
+        sides[c] = 1;
+      else if (h < -bound)
+        sides[c] = -1;
+      else
+        sides[c] = static_cast<std::int8_t>(
+            orientation(t_[0], t_[1], t_[2],
+                        {(c & 1 ? high : low).x(), (c & 2 ? high : low).y(), (c & 4 ? high : low).z()}));
+    }
+    return sides;
+  }
+
+ private:
+  const Triangle& t_;
+  Vector3d normal_, magnitude_;
+};
+
+void touch_cell(const Lattice& lattice, const Triangle& t, const Box& box, const PlaneSides& plane,
+                Index number, const std::array<int, 3>& cell, Contacts& contacts) {
+  // Bits of axes: along which the cell has an extent, and along which an edge from the cell's first corner
+  // must run to reach the triangle's box.
+  int there = 0, required = 0;
+  Vector3d low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& planes = lattice.planes[axis];
+    const bool inner = cell[axis] < lattice.cells[axis];
+    low[axis] = planes[cell[axis]];
+    high[axis] = planes[cell[axis] + inner];
+    if (low[axis] > box.high[axis] || high[axis] < box.low[axis]) return;
+    there |= inner << axis;
+    required |= (low[axis] < box.low[axis]) << axis;
+  }
+  const std::array<std::int8_t, 8> sides = plane.of_corners(low, high);
+  const Vertex base = lattice.vertex(cell[0], cell[1], cell[2]);
+  if (sides[0] == 0 && required == 0 && in_closed_triangle(t, low)) contacts.on_surface.push_back(base);
   for (int direction = 1; direction < 8; ++direction) {
-    if ((direction & there) != direction) continue;
-    const Vector3d end = lattice.point(i + (direction & 1), j + (direction >> 1 & 1), k + (direction >> 2));
-    const int end_side = orientation(t[0], t[1], t[2], end);
-    const bool along = side == 0 && end_side == 0;
-    if (along || (side * end_side < 0 && line_meets_triangle(t, origin, end)))
+    if ((direction & there) != direction || (direction & required) != required) continue;
+    const bool along = sides[0] == 0 && sides[direction] == 0;
+    if (!along && sides[0] * sides[direction] >= 0) continue;
+    const Vector3d end((direction & 1 ? high : low).x(), (direction & 2 ? high : low).y(),
+                       (direction & 4 ? high : low).z());
+    if (along || line_meets_triangle(t, low, end))
       contacts.hits.push_back({Edge{base} * 8 + direction, number, along});
   }
 }
@@ -63,8 +127,10 @@ Contacts find_contacts(const Lattice& lattice, const TriangleSurface& surface) {
       surface.triangles.size(), [&](std::size_t first, std::size_t last, Contacts& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
+          const Box box(t);
+          const PlaneSides plane(t);
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
-            touch_cell(lattice, t, static_cast<Index>(n), {i, j, k}, found);
+            touch_cell(lattice, t, box, plane, static_cast<Index>(n), {i, j, k}, found);
           });
         }
       });
@@ -88,12 +154,16 @@ std::vector<NearVertex> find_near_vertices(const Lattice& lattice, const Triangl
       surface.triangles.size(), [&](std::size_t first, std::size_t last, std::vector<NearVertex>& found) {
         for (std::size_t n = first; n < last; ++n) {
           const Triangle t = corners(surface, n);
+          const Box box(t);
           // A vertex within the margin is the first corner of its own cell, and that cell is within the
           // margin too: so the first corners of these cells are all that have to be asked.
           for_each_cell(lattice, t, margin, [&](int i, int j, int k) {
+            const Vector3d p = lattice.point(i, j, k);
+            // Farther from the box than the margin, it is farther than the radius from the computed closest
+            // point too.
+            if (((box.low - p).array() > margin).any() || ((p - box.high).array() > margin).any()) return;
             const Vertex v = lattice.vertex(i, j, k);
             if (!wanted(v)) return;
-            const Vector3d p = lattice.point(i, j, k);
             const bool on_triangle = orientation(t[0], t[1], t[2], p) == 0 && in_closed_triangle(t, p);
             const Vector3d q = on_triangle ? p : closest_point(t, p);
             const double d2 = (q - p).squaredNorm();

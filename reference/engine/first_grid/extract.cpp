@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <stdexcept>
 
+#include "io/bytes/large_pages.hpp"
 #include "reference/engine/first_grid/row_choice.hpp"
 
 namespace tetproof::reference {
@@ -45,8 +47,9 @@ class Extraction {
         settled_(settled),
         diagonals_(diagonals),
         keep_case_5_(keep_case_5),
-        marks_(lattice.vertices() + indicators.cuts.points.size(), 0),
-        lattice_rows_(lattice.tets(), case_1) {
+        marks_(lattice.vertices() + indicators.cuts.points.size(), 0) {
+    io::reserve_in_large_pages(lattice_rows_, static_cast<std::size_t>(lattice.tets()));
+    lattice_rows_.resize(static_cast<std::size_t>(lattice.tets()), case_1);
     for (int bits = 0; bits < 8; ++bits) offsets_[bits] = lattice.offset(bits);
   }
 
@@ -200,49 +203,93 @@ class Extraction {
       there.fetch_or(what, std::memory_order_relaxed);
   }
 
+  // The numbers of the points in the grid: of each name that is used, and of the first centroid of each
+  // layer.
+  struct Numbers {
+    std::vector<Index> of_name, first_centroid;
+  };
+
   Grid assemble(std::vector<Layer>& layers) {
     Grid grid;
-    std::vector<Index> number(marks_.size(), -1);
-    const auto add_point = [&](const Vector3d& p, Origin origin, std::int64_t source, bool surface) {
-      grid.mesh.points.push_back(p);
-      grid.origins.push_back(origin);
-      grid.sources.push_back(source);
-      grid.on_surface.push_back(surface);
-    };
-    for (Index name = 0; name < static_cast<Index>(marks_.size()); ++name) {
-      if (!(marks_[name] & used)) continue;
-      number[name] = static_cast<Index>(grid.mesh.points.size());
-      if (name < lattice_.vertices())
-        add_point(place(name), Origin::lattice_vertex, name,
-                  indicators_.sign[name] == 0 || (marks_[name] & surface_point));
-      else
-        add_point(place(name), Origin::cut, name - lattice_.vertices(), true);
-    }
-    std::vector<std::size_t> first_tet;
-    std::vector<Index> first_centroid;
-    std::size_t tets = 0;
     for (const Layer& layer : layers) {
-      first_tet.push_back(tets);
-      first_centroid.push_back(static_cast<Index>(grid.mesh.points.size()));
-      tets += layer.tets.size();
-      for (std::size_t q = 0; q < layer.centroids.size(); ++q)
-        add_point(layer.centroids[q], Origin::centroid, layer.centroid_of[q], false);
       for (std::size_t r = 0; r < grid.rows.size(); ++r) grid.rows[r] += layer.rows[r];
       grid.collapsed += layer.collapsed;
     }
-    grid.mesh.tets.resize(tets);
-    grid.lattice_tet.resize(tets);
+    add_tets(layers, add_points(layers, grid), grid);
+    grid.lattice_rows = std::move(lattice_rows_);
+    return grid;
+  }
+
+  // Adds the used points in the order of their names, then the centroids in the order of their layers.
+  Numbers add_points(const std::vector<Layer>& layers, Grid& grid) const {
+    constexpr std::size_t names_a_task = 1 << 14;
+    const std::size_t tasks = (marks_.size() + names_a_task - 1) / names_a_task;
+    const auto for_used_names = [&](std::size_t task, const auto& visit) {
+      const std::size_t end = std::min(marks_.size(), (task + 1) * names_a_task);
+      for (std::size_t name = task * names_a_task; name < end; ++name)
+        if (marks_[name] & used) visit(static_cast<Index>(name));
+    };
+    std::vector<Index> first(tasks + 1, 0);  // the number of each task's first point
+    tbb::parallel_for(std::size_t{0}, tasks,
+                      [&](std::size_t task) { for_used_names(task, [&](Index) { ++first[task + 1]; }); });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    Numbers numbers;
+    io::reserve_in_large_pages(numbers.of_name, marks_.size());
+    numbers.of_name.resize(marks_.size(), -1);
+    auto points = static_cast<std::size_t>(first.back());
+    for (const Layer& layer : layers) {
+      numbers.first_centroid.push_back(static_cast<Index>(points));
+      points += layer.centroids.size();
+    }
+
+    io::resize_in_large_pages(grid.mesh.points, points);
+    io::resize_in_large_pages(grid.sources, points);
+    grid.origins.resize(points);
+    grid.on_surface.resize(points);
+    const auto set = [&](Index n, const Vector3d& p, Origin origin, std::int64_t source, bool surface) {
+      grid.mesh.points[n] = p;
+      grid.origins[n] = origin;
+      grid.sources[n] = source;
+      grid.on_surface[n] = surface;
+    };
+    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+      Index n = first[task];
+      for_used_names(task, [&](Index name) {
+        numbers.of_name[name] = n;
+        if (name < lattice_.vertices())
+          set(n++, place(name), Origin::lattice_vertex, name,
+              indicators_.sign[name] == 0 || (marks_[name] & surface_point));
+        else
+          set(n++, place(name), Origin::cut, name - lattice_.vertices(), true);
+      });
+    });
+    tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t k) {
+      Index n = numbers.first_centroid[k];
+      for (std::size_t q = 0; q < layers[k].centroids.size(); ++q)
+        set(n++, layers[k].centroids[q], Origin::centroid, layers[k].centroid_of[q], false);
+    });
+    return numbers;
+  }
+
+  // Adds the tetrahedra in the order of their layers, and empties the layers.
+  static void add_tets(std::vector<Layer>& layers, const Numbers& numbers, Grid& grid) {
+    std::vector<std::size_t> first;  // the number of each layer's first tetrahedron
+    std::size_t tets = 0;
+    for (const Layer& layer : layers) {
+      first.push_back(tets);
+      tets += layer.tets.size();
+    }
+    io::resize_in_large_pages(grid.mesh.tets, tets);
+    io::resize_in_large_pages(grid.lattice_tet, tets);
     tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t k) {
       for (std::size_t t = 0; t < layers[k].tets.size(); ++t) {
         std::array<Index, 4> tet = layers[k].tets[t];
-        for (Index& p : tet) p = p < 0 ? first_centroid[k] + (-1 - p) : number[p];
-        grid.mesh.tets[first_tet[k] + t] = tet;
-        grid.lattice_tet[first_tet[k] + t] = layers[k].lattice_tet[t];
+        for (Index& p : tet) p = p < 0 ? numbers.first_centroid[k] + (-1 - p) : numbers.of_name[p];
+        grid.mesh.tets[first[k] + t] = tet;
+        grid.lattice_tet[first[k] + t] = layers[k].lattice_tet[t];
       }
       layers[k] = {};
     });
-    grid.lattice_rows = std::move(lattice_rows_);
-    return grid;
   }
 
   const Lattice& lattice_;

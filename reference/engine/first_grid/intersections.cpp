@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/bytes/large_pages.hpp"
 #include "reference/engine/first_grid/rasterise.hpp"
 
 namespace tetproof::reference {
@@ -206,7 +207,8 @@ std::vector<EdgeIntersections> intersect_edges(const Lattice& lattice, const Tri
     for (last = first; last < hits.size() && hits[last].edge == hits[first].edge;) ++last;
     if (wanted(hits[first].edge)) runs.push_back({first, last});
   }
-  std::vector<EdgeIntersections> all(runs.size());
+  std::vector<EdgeIntersections> all;
+  io::resize_in_large_pages(all, runs.size());
   tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t n) {
     const Hits first = hits.begin() + runs[n][0], last = hits.begin() + runs[n][1];
     const Segment s{lattice.point(lattice.low(first->edge)), lattice.point(lattice.high(first->edge))};

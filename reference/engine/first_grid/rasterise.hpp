@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "reference/engine/first_grid/lattice.hpp"
@@ -59,16 +60,25 @@ void for_each_cell(const Lattice& lattice, const Triangle& triangle, double marg
     return part.between(axis, plane[cell] - margin, end + margin);
   };
   const ClippedTriangle whole{{triangle[0], triangle[1], triangle[2]}, 3};
+  const auto [i0, i1] = range(whole, 0);
+  const auto [j0, j1] = range(whole, 1);
   const auto [k0, k1] = range(whole, 2);
+  constexpr std::int64_t few = 8;  // so few cells are visited sooner than the triangle is clipped
+  if ((i1 - i0 + std::int64_t{1}) * (j1 - j0 + 1) * (k1 - k0 + 1) <= few) {
+    for (int k = k0; k <= k1; ++k)
+      for (int j = j0; j <= j1; ++j)
+        for (int i = i0; i <= i1; ++i) visit(i, j, k);
+    return;
+  }
   for (int k = k0; k <= k1; ++k) {
     const ClippedTriangle layer = k0 == k1 ? whole : slab(whole, 2, k);
     if (layer.size == 0) continue;
-    const auto [j0, j1] = range(layer, 1);
-    for (int j = j0; j <= j1; ++j) {
-      const ClippedTriangle row = j0 == j1 ? layer : slab(layer, 1, j);
+    const auto [layer_j0, layer_j1] = range(layer, 1);
+    for (int j = layer_j0; j <= layer_j1; ++j) {
+      const ClippedTriangle row = layer_j0 == layer_j1 ? layer : slab(layer, 1, j);
       if (row.size == 0) continue;
-      const auto [i0, i1] = range(row, 0);
-      for (int i = i0; i <= i1; ++i) visit(i, j, k);
+      const auto [row_i0, row_i1] = range(row, 0);
+      for (int i = row_i0; i <= row_i1; ++i) visit(i, j, k);
     }
   }
 }

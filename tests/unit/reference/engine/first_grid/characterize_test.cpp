@@ -22,6 +22,7 @@ struct Example {
   std::array<int, 3> cells;
   double box_scale;
   int least_on_surface;  // at least so many lattice vertices lie on the surface
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 
 // A body of 2 or 4 cells in a box scaled by 2, with 4 or 8 cells, has its faces exactly in lattice planes.
@@ -40,12 +41,17 @@ const Example examples[] = {
     {"CoarseSphere", "sphere:r=1,n=100", {6, 5, 7}, 1.2, 0},
     {"Shells", "shells:n=200", {5, 5, 5}, 1.2, 0},
     {"RandomStar", "random:seed=5,n=200", {5, 6, 5}, 1.1, 0},
+    {"VerySmallTerrain", "terrain:m=4,seed=3", {8, 8, 8}, 2, 70, Eigen::Vector3d::Constant(0x1p-290)},
+    {"VeryLargeTerrain", "terrain:m=4,seed=3", {8, 8, 8}, 2, 70, Eigen::Vector3d::Constant(0x1p290)},
+    // The area of its projection along x is a subnormal double, with only a few digits.
+    {"NeedleOfRandomStar", "random:seed=5,n=60", {4, 4, 4}, 1.1, 0, {1, 0x1p-536, 0x1p-536}},
 };
 
 class Classification : public testing::TestWithParam<Example> {
  protected:
   void SetUp() override {
     surface = corpus::make_surface(GetParam().spec);
+    for (Eigen::Vector3d& v : surface.vertices) v = v.cwiseProduct(GetParam().scale);
     if (surface.triangles.size() > 3000)
       GTEST_FAIL() << "too large for brute force: " << surface.triangles.size();
     lattice = make_lattice(surface, GetParam().cells, GetParam().box_scale);
@@ -119,7 +125,8 @@ TEST_P(Classification, PointsOfTheInsideTest) {
 }
 
 TEST_P(Classification, NearVerticesAreThoseWithinTheRadius) {
-  const double radius = 0.3 * lattice.shortest_edge;
+  const double radius = 0.3 * lattice.shortest_edge, size = GetParam().scale.maxCoeff();
+  if (!std::isnormal(radius * radius)) GTEST_SKIP() << "doubles cannot hold squared distances of this size";
   const auto near = find_near_vertices(lattice, surface, radius, [](Vertex) { return true; });
   std::map<Vertex, NearVertex> by_vertex;
   for (const NearVertex& n : near) by_vertex[n.vertex] = n;
@@ -134,7 +141,7 @@ TEST_P(Classification, NearVerticesAreThoseWithinTheRadius) {
     const auto at = by_vertex.find(v);
     ASSERT_EQ(at != by_vertex.end(), best < radius * radius) << v;
     if (at != by_vertex.end()) {
-      EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28) << v;
+      EXPECT_LE(std::abs(at->second.squared_distance - best), 1e-28 * size * size) << v;
     }
   }
 }
@@ -149,7 +156,10 @@ TEST(ClosestPoint, EveryRegionOfATriangle) {
       {{2, -3, 1}, {2, 0, 0}}, {{-2, 1, 0}, {0, 1, 0}},  {{4, 4, -1}, {2, 2, 0}}, {{1, 2, 0}, {1, 2, 0}}};
   for (const auto& [p, expected] : cases)
     for (const auto& order : {std::array{0, 1, 2}, {1, 2, 0}, {2, 1, 0}})
-      EXPECT_EQ(closest_point({t[order[0]], t[order[1]], t[order[2]]}, p), expected) << p.transpose();
+      for (const double scale : {1.0, 0x1p-290, 0x1p290})
+        EXPECT_EQ(closest_point({scale * t[order[0]], scale * t[order[1]], scale * t[order[2]]}, scale * p),
+                  scale * expected)
+            << p.transpose() << " times " << scale;
 }
 
 // Table 3 on a single edge: a lattice of one cell, with indicators and points given by hand.
