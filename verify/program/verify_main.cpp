@@ -183,8 +183,8 @@ int main(int argc, char** argv) {
             ->always_capture_default(false);
         app.add_option("--fidelity", options.fidelity,
                        "allowed distance between boundary and surface, in units of the surface's box "
-                       "diagonal; the allowed volume difference is this x diagonal x area; 0: the mesh "
-                       "reproduces the surface exactly")
+                       "diagonal; the allowed volume difference is this x diagonal x area, and at most a "
+                       "quarter of the surface's volume; 0: the mesh reproduces the surface exactly")
             ->type_name("D")
             ->check(CLI::NonNegativeNumber);
         app.add_flag("--strict-topology", options.strict_topology,
