@@ -185,10 +185,10 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     report.notes.push_back(fmt::format("the topology was not compared with the surface's: {}", not_whole));
   }
   if (!whole && options.region == Region::outside) {
-    record.could_not_run(
-        {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
-         Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
-        not_whole);
+    record.could_not_run({Check::bounding_box, Check::missing_region, Check::excess_region,
+                          Check::off_surface_vertex, Check::volume_surface, Check::volume_voxel,
+                          Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+                         not_whole);
     return;
   }
 
@@ -197,6 +197,7 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel});
   const VoxelEvidence voxels = examine_voxels(surface, options, record);
   const Comparison comparison(mesh, surface, own);
+  check_bounding_box(comparison, record);
   RegionEvidence regions;
   if (comparison.mesh_tree) {
     if (record.wants(Check::topology)) check_topology(comparison, record);
@@ -211,11 +212,12 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
                          why);
     report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
   }
-  const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   note_thin_solid(surface.report(), comparison.allowed, report);
+  const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   check_volume_surface(volumes, record);
   check_volume_voxel(volumes, options.region, voxels, record);
   name_region(regions, record);
+  name_bounding_box(record);
 }
 
 }  // namespace tetproof::verify
