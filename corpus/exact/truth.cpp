@@ -2,6 +2,7 @@
 #include "corpus/truth.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -36,6 +37,7 @@ class Brute {
     duplicates();
     faces();
     orientations(asked);
+    shift();
     pairs(asked);
   }
   Truth truth;
@@ -89,6 +91,19 @@ class Brute {
     }
     for (const auto& [key, tets] : same)
       if (tets.size() > 1) truth.duplicates.push_back(tets);
+    std::map<std::array<Index, 4>, std::vector<Index>> in_place;
+    for (const auto& [key, tets] : same) {
+      std::array<Index, 4> places = key;
+      for (Index& v : places) v = first_[static_cast<std::size_t>(v)];
+      std::sort(places.begin(), places.end());
+      in_place[places].push_back(tets[0]);
+    }
+    for (auto& [places, tets] : in_place) {
+      if (tets.size() < 2 || std::set<Index>(places.begin(), places.end()).size() < 4) continue;
+      std::sort(tets.begin(), tets.end());
+      truth.copies.push_back(tets);
+    }
+    std::sort(truth.copies.begin(), truth.copies.end());
   }
 
   void faces() {
@@ -162,6 +177,29 @@ class Brute {
     std::sort(truth.flat.begin(), truth.flat.end());
   }
 
+  bool all_positive(Index lower) const {
+    const auto points = static_cast<Index>(mesh_.points.size());
+    return std::all_of(mesh_.tets.begin(), mesh_.tets.end(), [&](std::array<Index, 4> t) {
+      for (Index& v : t) {
+        v -= lower;
+        if (v < 0 || v >= points || !point(v).allFinite()) return false;
+      }
+      return orientation(point(t[0]), point(t[1]), point(t[2]), point(t[3])) > 0;
+    });
+  }
+
+  // Tries the two numbers that move the used points to one end of all points.
+  void shift() {
+    std::int64_t lowest = std::numeric_limits<Index>::max(), highest = std::numeric_limits<Index>::min();
+    for (const auto& tet : mesh_.tets)
+      for (const Index v : tet)
+        lowest = std::min<std::int64_t>(lowest, v), highest = std::max<std::int64_t>(highest, v);
+    const auto points = static_cast<std::int64_t>(mesh_.points.size());
+    if (mesh_.tets.empty() || highest - lowest >= points || all_positive(0)) return;
+    for (const std::int64_t lower : {lowest, highest - points + 1})
+      if (lower != 0 && all_positive(static_cast<Index>(lower))) truth.shift = static_cast<Index>(lower);
+  }
+
   void pairs(std::span<const Index> asked) {
     if (most_ == 0) {
       truth.all = false;
@@ -197,6 +235,7 @@ class Brute {
     truth.touches.assign(touches.begin(), touches.end());
     std::sort(truth.overlaps.begin(), truth.overlaps.end());
     std::sort(truth.crossings.begin(), truth.crossings.end());
+    std::sort(truth.touching_faces.begin(), truth.touching_faces.end());
   }
 
   void pair(Index s, Index t, std::set<Touch>& touches) {
@@ -211,8 +250,20 @@ class Brute {
     const std::array<Index, 2> key{std::min(s, t), std::max(s, t)};
     if (found.overlap) truth.overlaps.push_back(key);
     if (found.crossing) truth.crossings.push_back(key);
+    if (!found.overlap && (found.crossing || !found.one_in_other.empty() || !found.other_in_one.empty()) &&
+        faces_touch(one, other))
+      truth.touching_faces.push_back(key);
     for (const int i : found.one_in_other) touches.insert({one[i], t});
     for (const int i : found.other_in_one) touches.insert({other[i], s});
+  }
+
+  bool faces_touch(const std::array<Index, 4>& one, const std::array<Index, 4>& other) const {
+    for (const auto& [i, j, k] : tet_faces)
+      for (const auto& [l, m, n] : tet_faces)
+        if (partly_back_to_back({point(one[i]), point(one[j]), point(one[k])},
+                                {point(other[l]), point(other[m]), point(other[n])}))
+          return true;
+    return false;
   }
 
   const TetMesh& mesh_;
@@ -230,16 +281,17 @@ bool Truth::valid() const {
 }
 
 bool Truth::confirms(std::string_view id) const {
-  if (id == "index-range") return !out_of_range.empty();
+  if (id == "index-range") return !out_of_range.empty() || shift != 0;
   if (id == "finite-coordinates") return !not_finite.empty();
   if (id == "repeated-vertex") return !repeating.empty();
   if (id == "duplicate-point") return !equal_points.empty();
   if (id == "unused-point") return !unused.empty();
-  if (id == "duplicate-tet") return !duplicates.empty();
+  if (id == "duplicate-tet") return !duplicates.empty() || !copies.empty();
   if (id == "inverted") return !negative.empty();
   if (id == "flat") return !flat.empty();
   if (id == "face-shared-thrice") return !thrice.empty();
   if (id == "face-orientation") return !one_sided.empty();
+  if (id == "non-conforming-interface") return !touching_faces.empty();
   if (id == "crack") return !coinciding_faces.empty();
   if (id == "boundary-nonmanifold-edge") return !nonmanifold_edges.empty();
   if (id == "boundary-nonmanifold-vertex") return !nonmanifold_vertices.empty();
