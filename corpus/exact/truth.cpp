@@ -2,14 +2,13 @@
 #include "corpus/truth.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
 #include <utility>
 
-#include "corpus/exact/exact_integers.hpp"
 #include "corpus/exact/exact_pairs.hpp"
+#include "corpus/exact/truth_shift.hpp"
 
 namespace tetproof::corpus {
 namespace {
@@ -37,7 +36,7 @@ class Brute {
     duplicates();
     faces();
     orientations(asked);
-    shift();
+    truth.shift = shift_of(mesh);
     pairs(asked);
   }
   Truth truth;
@@ -177,29 +176,6 @@ class Brute {
     std::sort(truth.flat.begin(), truth.flat.end());
   }
 
-  bool all_positive(Index lower) const {
-    const auto points = static_cast<Index>(mesh_.points.size());
-    return std::all_of(mesh_.tets.begin(), mesh_.tets.end(), [&](std::array<Index, 4> t) {
-      for (Index& v : t) {
-        v -= lower;
-        if (v < 0 || v >= points || !point(v).allFinite()) return false;
-      }
-      return orientation(point(t[0]), point(t[1]), point(t[2]), point(t[3])) > 0;
-    });
-  }
-
-  // Tries the two numbers that move the used points to one end of all points.
-  void shift() {
-    std::int64_t lowest = std::numeric_limits<Index>::max(), highest = std::numeric_limits<Index>::min();
-    for (const auto& tet : mesh_.tets)
-      for (const Index v : tet)
-        lowest = std::min<std::int64_t>(lowest, v), highest = std::max<std::int64_t>(highest, v);
-    const auto points = static_cast<std::int64_t>(mesh_.points.size());
-    if (mesh_.tets.empty() || highest - lowest >= points || all_positive(0)) return;
-    for (const std::int64_t lower : {lowest, highest - points + 1})
-      if (lower != 0 && all_positive(static_cast<Index>(lower))) truth.shift = static_cast<Index>(lower);
-  }
-
   void pairs(std::span<const Index> asked) {
     if (most_ == 0) {
       truth.all = false;
@@ -308,34 +284,6 @@ Truth truth(const TetMesh& mesh) {
   std::vector<Index> all(mesh.tets.size());
   std::iota(all.begin(), all.end(), 0);
   return truth(mesh, all, mesh.tets.size() * mesh.tets.size() + 1);
-}
-
-int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                const Eigen::Vector3d& d) {
-  const std::array<Eigen::Vector3d, 4> all{a, b, c, d};
-  const int unit = last_bit(all);
-  const IntegerPoint p = integers(a, unit);
-  return dot(cross(integers(b, unit) - p, integers(c, unit) - p), integers(d, unit) - p).sign();
-}
-
-bool within_of_line(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                    double limit) {
-  const std::array<Eigen::Vector3d, 4> all{p, a, b, {limit, 0, 0}};
-  const int unit = last_bit(all);
-  const IntegerPoint way = integers(b, unit) - integers(a, unit),
-                     area = cross(integers(p, unit) - integers(a, unit), way);
-  const Integer least = integer(limit, unit);
-  return dot(area, area) <= least * least * dot(way, way);
-}
-
-bool within_of_plane(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                     const Eigen::Vector3d& c, double limit) {
-  const std::array<Eigen::Vector3d, 5> all{p, a, b, c, {limit, 0, 0}};
-  const int unit = last_bit(all);
-  const IntegerPoint normal =
-      cross(integers(b, unit) - integers(a, unit), integers(c, unit) - integers(a, unit));
-  const Integer height = dot(normal, integers(p, unit) - integers(a, unit)), least = integer(limit, unit);
-  return height * height <= least * least * dot(normal, normal);
 }
 
 }  // namespace tetproof::corpus

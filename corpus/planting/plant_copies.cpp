@@ -74,7 +74,7 @@ std::vector<PlantKind> copy_kinds() {
       {.id = "blocks-interpenetrate-1e-12",
        .expected = defective,
        .flags = {"overlap", "whole", "rounding"},
-       .needed = either,
+       .needed = {"overlap", "boundary-self-intersection", "non-conforming-interface"},
        .also = {"near-contact"},
        .comment = "a second copy of the mesh beside it, which reaches into it by 1e-12 of the diagonal",
        .mutate = [](Site& s) { return tip_to_tip(s, std::max(1e-12 * s.parts.diagonal, 4 * s.unit())); }},
