@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -30,18 +30,22 @@ struct Change {
   const char *large, *small;
 };
 
-// The change of units that takes the smaller box to the larger one, on all axes within 2 % of the diagonal.
-// Of several changes with the same factor the first: those between common units come first.
-std::optional<Change> change_of_units(const Vector& larger, const Vector& smaller) {
-  constexpr double tolerance = 0.02;
+// The change of units that takes the smaller box to the larger one: on each axis within 2 % and the allowed
+// distance, which is in the surface's units. Of several changes with the same factor the first: those between
+// common units come first.
+std::optional<Change> change_of_units(const Vector& larger, const Vector& smaller, double allowed,
+                                      bool surface_is_larger) {
   std::optional<Change> best;
-  double least = tolerance * smaller.stableNorm();
+  double least = std::numeric_limits<double>::infinity();
   for (const Unit& large : units)
     for (const Unit& small : units) {
       if (large.millimetres <= small.millimetres) continue;
-      const double factor = large.millimetres / small.millimetres,
-                   off = (larger / factor - smaller).cwiseAbs().maxCoeff();
-      if (off < least) least = off, best = {factor, large.name, small.name};
+      const double factor = large.millimetres / small.millimetres;
+      const Vector scaled = larger / factor, off = (scaled - smaller).cwiseAbs(),
+                   most = 0.02 * scaled.cwiseMax(smaller) +
+                          Vector::Constant(surface_is_larger ? allowed / factor : allowed);
+      if ((off.array() <= most.array()).all() && off.maxCoeff() < least)
+        least = off.maxCoeff(), best = {factor, large.name, small.name};
     }
   return best;
 }
@@ -57,13 +61,15 @@ std::string fault(const Eigen::AlignedBox3d& mesh, const Eigen::AlignedBox3d& su
   const bool apart =
       (mesh.min() - surface.max()).maxCoeff() > allowed || (surface.min() - mesh.max()).maxCoeff() > allowed;
   const std::string no_meeting = apart ? "; the boxes do not meet" : "";
-  if (const auto change = larger ? change_of_units(size, wanted) : change_of_units(wanted, size))
+  if (const auto change = larger ? change_of_units(size, wanted, allowed, false)
+                                 : change_of_units(wanted, size, allowed, true))
     return fmt::format("the {} is {:.6g} times as large as the {}: {} and {}?{}", larger ? "mesh" : "surface",
                        change->factor, larger ? "surface" : "mesh", change->small, change->large, no_meeting);
-  // Moved: the sizes differ by far less than the places.
+  // Moved: the sizes differ by far less than the places. Rounding moves no box by a millionth of its size.
   const Vector way = mesh.center() - surface.center();
-  if (way.stableNorm() > 2 * allowed && (size - wanted).cwiseAbs().maxCoeff() <= 0.05 * way.stableNorm() &&
-      (size - wanted).cwiseAbs().maxCoeff() <= 0.1 * wanted.stableNorm())
+  const double moved = way.stableNorm(), other = (size - wanted).cwiseAbs().maxCoeff();
+  if (moved > std::max(2 * allowed, 1e-6 * wanted.stableNorm()) && other <= 0.05 * moved &&
+      other <= 0.1 * wanted.stableNorm())
     return fmt::format("the mesh is as large as the surface and lies elsewhere: moved by {}{}", text(way),
                        no_meeting);
   if (!apart) return {};

@@ -40,7 +40,7 @@ TEST(BoundingBox, OtherUnits) {
       {1 / 12.0, "the mesh is 12 times as large as the surface: inches and feet?"},
       {1000 / 304.8, "the surface is 3.28084 times as large as the mesh: feet and metres?"},
       {1 / 39.37, "the mesh is 39.3701 times as large as the surface: inches and metres?"},
-      {1e6, "the surface is 1e+06 times as large as the mesh: millimetres and kilometres?"}};
+      {1e6, "the surface is 1e+06 times as large as the mesh: micrometres and metres?"}};
   for (const auto& [factor, what] : cases) {
     const Report report = against(mesh, scaled(surface, factor));
     EXPECT_EQ(box_finding(report), what) << factor;
@@ -55,6 +55,12 @@ TEST(BoundingBox, OtherFactorsAreNoUnits) {
   const TriangleSurface surface = boundary_surface(mesh);
   for (const double factor : {1.0, 1.001, 0.5, 2.0, 7.0, 700.0})
     EXPECT_EQ(box_finding(against(mesh, scaled(surface, factor))), "none") << factor;
+  // A tenth of a thin rod is no rod in other units.
+  TetMesh rod = lattice_mesh({1, 1, 1});
+  for (auto& p : rod.points) p.x() *= 100;
+  const TriangleSurface whole = boundary_surface(rod);
+  for (auto& p : rod.points) p.x() /= 10;
+  EXPECT_EQ(box_finding(against(rod, whole)), "none");
   // On all axes: here on one only.
   EXPECT_EQ(box_finding(against(mesh, box_surface({0, 0, 0}, 10))), "none");
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/generators/random.hpp"
+#include "corpus/truth.hpp"
 #include "io/error.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/root_checks.hpp"
@@ -143,6 +145,39 @@ TEST(Interfaces, WithoutTheCheckTheMeetingsFail) {
   const Report report = verify::verify(blocks(2.0 / 3, 3), options);
   EXPECT_GT(report[Check::boundary_self_intersection].count, 0);
   EXPECT_TRUE(defective(report));
+}
+
+// Blocks on a coarse lattice overlap, touch in faces, edges and vertices, or match. Brute force in integers
+// tells which of them overlap.
+TEST(Interfaces, ACertificateMeansThatNothingOverlaps) {
+  corpus::Random random(7);
+  int certified = 0, overlapping = 0;
+  for (int i = 0; i < 300; ++i) {
+    TetMesh mesh = lattice_mesh({1, 1, 1});
+    const int more = 1 + random.below(3);
+    for (int k = 0; k < more; ++k) {
+      const auto at = [&] { return random.below(7) / 2.0 - 1.5; };
+      const Eigen::Vector3d origin(at(), at(), at());
+      mesh = together(mesh, lattice_mesh({1, 1, 1}, {}, origin, 0.5 + random.below(3) / 2.0));
+    }
+    const Report report = verify::verify(mesh, {.allow = {"crack", "non-conforming-interface"}});
+    const corpus::Truth truth = corpus::truth(mesh);
+    const bool overlap = !truth.overlaps.empty() || !truth.copies.empty();
+    if (report.certificate == true) {
+      EXPECT_FALSE(overlap) << i << report_text(report);
+    }
+    if (report[Check::non_conforming_interface].count > 0) {
+      EXPECT_FALSE(truth.touching_faces.empty()) << i << report_text(report);
+    }
+    // Two blocks that touch in an area and do not overlap are an interface, or match.
+    if (more == 1 && !overlap && !truth.touching_faces.empty()) {
+      EXPECT_EQ(report.certificate, true) << i << report_text(report);
+    }
+    certified += report.certificate == true && !report.allowed.empty();
+    overlapping += overlap;
+  }
+  EXPECT_GT(certified, 15);
+  EXPECT_GT(overlapping, 100);
 }
 
 TEST(Allowed, CracksAreMeant) {
