@@ -46,8 +46,8 @@ struct Truth {
   std::vector<std::array<Index, 2>> overlaps;   ///< their interiors meet
   std::vector<Touch> touches;                   ///< between tetrahedra whose interiors do not meet
   std::vector<std::array<Index, 2>> crossings;  ///< likewise, and an edge of one crosses an edge of the other
-  /// Likewise, and a face of one and a face of the other lie in one plane, on opposite sides of it, and have
-  /// an area in common, but not all three corners.
+  /// Likewise, and a face of one and a face of the other lie in one plane and have an area in common, but not
+  /// all three corners.
   std::vector<std::array<Index, 2>> touching_faces;
   bool all = true;  ///< false: the search for pairs stopped early, at `most_pairs`
 

@@ -124,15 +124,14 @@ Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners
   return result;
 }
 
-bool partly_back_to_back(const std::array<Eigen::Vector3d, 3>& f, const std::array<Eigen::Vector3d, 3>& g) {
+bool partly_on_each_other(const std::array<Eigen::Vector3d, 3>& f, const std::array<Eigen::Vector3d, 3>& g) {
   std::array<Eigen::Vector3d, 6> points;
   std::copy(f.begin(), f.end(), points.begin());
   std::copy(g.begin(), g.end(), points.begin() + 3);
   const int unit = last_bit(points);
   std::array<IntegerPoint, 6> p;
   for (int i = 0; i < 6; ++i) p[i] = integers(points[i], unit);
-  const IntegerPoint n = cross(p[1] - p[0], p[2] - p[0]), m = cross(p[4] - p[3], p[5] - p[3]);
-  if (!(dot(n, m) < 0)) return false;
+  const IntegerPoint n = cross(p[1] - p[0], p[2] - p[0]);
   for (int i = 3; i < 6; ++i)
     if (dot(n, p[i] - p[0]) != 0) return false;
   int common = 0;

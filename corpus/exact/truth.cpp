@@ -236,8 +236,8 @@ class Brute {
   bool faces_touch(const std::array<Index, 4>& one, const std::array<Index, 4>& other) const {
     for (const auto& [i, j, k] : tet_faces)
       for (const auto& [l, m, n] : tet_faces)
-        if (partly_back_to_back({point(one[i]), point(one[j]), point(one[k])},
-                                {point(other[l]), point(other[m]), point(other[n])}))
+        if (partly_on_each_other({point(one[i]), point(one[j]), point(one[k])},
+                                 {point(other[l]), point(other[m]), point(other[n])}))
           return true;
     return false;
   }
