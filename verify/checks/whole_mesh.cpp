@@ -62,8 +62,8 @@ TetMesh shifted(TetMesh mesh, Index shift) {
 
 // Finds a number by which all vertex numbers are too high. Shifted back, they must reach from the first point
 // or to the last one, and nine tenths of the faulty tetrahedra must be right. The connectivity does not
-// change, so that only the signs of the tetrahedra tell. A few of them would be right by chance: without a
-// point that does not exist, there must be more.
+// change, so that only the signs of the tetrahedra tell. A wrong shift makes a tetrahedron positive by chance
+// in one of two cases: without a point that does not exist, a dozen tetrahedra must agree.
 void find_shift(const TetMesh& mesh, const PointEvidence& points, const Orientations& signs,
                 const Record& record, WholeMeshEvidence& evidence) {
   if (points.out_of_range.empty() && signs.negative.empty() && signs.flat.empty()) return;
@@ -76,9 +76,7 @@ void find_shift(const TetMesh& mesh, const PointEvidence& points, const Orientat
     return static_cast<std::int64_t>(std::count(p.excluded.begin(), p.excluded.end(), 1));
   };
   evidence.faulty = faulty(mesh, signs, excluded(points));
-  if (points.out_of_range.empty() &&
-      (evidence.faulty < 3 || 10 * evidence.faulty < static_cast<std::int64_t>(mesh.tets.size())))
-    return;
+  if (evidence.faulty == 0 || (points.out_of_range.empty() && mesh.tets.size() < 12)) return;
   for (const std::int64_t shift : {std::int64_t{lowest}, highest - count + 1}) {
     if (shift == 0 || lowest - shift < 0 || highest - shift >= count) continue;
     const TetMesh back = shifted(mesh, static_cast<Index>(shift));
