@@ -26,7 +26,12 @@ struct Truth {
   std::vector<Index> not_finite;    ///< name a point with a coordinate that is not finite
   std::vector<Index> repeating;     ///< name a point twice
   // The other tetrahedra, and the points. A boundary face is a face of exactly one tetrahedron.
-  std::vector<std::vector<Index>> duplicates;   ///< groups with the same four vertices
+  /// All tetrahedra are positive with vertex numbers lower by this, and not all are as they are. 0: none
+  /// such.
+  Index shift = 0;
+  std::vector<std::vector<Index>> duplicates;  ///< groups with the same four vertices
+  /// Groups whose four vertices have the same coordinates, but not the same numbers.
+  std::vector<std::vector<Index>> copies;
   std::vector<Index> negative, flat;            ///< exact; only among the tetrahedra asked for
   std::vector<std::vector<Index>> thrice;       ///< groups of three or more that share a face
   std::vector<std::array<Index, 2>> one_sided;  ///< pairs that give a common face the same orientation
@@ -41,6 +46,9 @@ struct Truth {
   std::vector<std::array<Index, 2>> overlaps;   ///< their interiors meet
   std::vector<Touch> touches;                   ///< between tetrahedra whose interiors do not meet
   std::vector<std::array<Index, 2>> crossings;  ///< likewise, and an edge of one crosses an edge of the other
+  /// Likewise, and a face of one and a face of the other lie in one plane and have an area in common, but not
+  /// all three corners.
+  std::vector<std::array<Index, 2>> touching_faces;
   bool all = true;  ///< false: the search for pairs stopped early, at `most_pairs`
 
   /// Whether the tetrahedra asked for triangulate the space that they cover: each one is positive, and two of

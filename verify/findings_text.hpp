@@ -19,6 +19,9 @@ std::string findings_text(const CheckResult& result, const Numbering& numbering 
 /// A check that does not hold: "FAIL inverted: 2" or "warning cavity: 1", and its findings.
 std::string check_text(const CheckResult& result, const Numbering& numbering = {}, std::size_t most = 5);
 
+/// What would remain without the faults that concern the mesh as a whole, in lines; empty if there are none.
+std::string if_mended_text(const Report& report, const Numbering& numbering = {}, std::size_t most = 5);
+
 /// "sound: certified, ...", "DEFECTIVE: ..." or "incomplete: ...", and after it what was not judged.
 std::string verdict_text(const Report& report);
 

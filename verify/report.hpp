@@ -29,12 +29,14 @@ enum class Check {
   hanging_node,
   crossed_diagonal,
   crack,
+  non_conforming_interface,
   near_contact,
   cavity,
   boundary_nonmanifold_edge,
   boundary_nonmanifold_vertex,
   boundary_self_intersection,
   overlap,
+  bounding_box,
   missing_region,
   excess_region,
   off_surface_vertex,
@@ -83,6 +85,9 @@ struct Consequence {
 /// reports print the numbers of the file.
 struct Finding {
   std::vector<Index> tets{};
+  /// Where a finding concerns more tetrahedra than `tets` lists: all of them, as runs. First and last
+  /// position of each run.
+  std::vector<std::array<Index, 2>> tet_runs{};
   std::vector<Index> vertices{};
   std::vector<std::array<Index, 3>> faces{};  ///< three vertices each
   std::optional<Eigen::Vector3d> point{};     ///< [length], rounded from `point_exact` where that is given
@@ -157,9 +162,21 @@ struct RegionAccount {
   Shape shape{};
 };
 
+/// The report on a mesh without the faults that concern it as a whole: re-wound, with other vertex numbers,
+/// without its second copy. It shows what else is wrong. The mesh itself is judged as it is written.
+struct Mended {
+  std::string how;  ///< what was changed: "42 tetrahedra in the other vertex order"
+  std::optional<bool> certificate;
+  std::vector<CheckResult> checks;  ///< as in `Report`; elements are those of the mesh as it is written
+};
+
 struct Report {
-  std::vector<CheckResult> checks;    ///< one for each check, in the order of `Check`
-  std::optional<bool> certificate;    ///< absent when a check that it needs was skipped and none failed
+  std::vector<CheckResult> checks;  ///< one for each check, in the order of `Check`
+  /// Absent when a check that it needs was skipped and none failed. If it is given although findings are
+  /// allowed, it holds except for these: with cracks closed, and for each part of a non-conforming interface.
+  std::optional<bool> certificate;
+  std::vector<Consequence> allowed;   ///< findings that `Options::allow` names, with their counts
+  std::optional<Mended> if_mended;    ///< absent if no fault concerns the mesh as a whole
   std::vector<NotJudged> not_judged;  ///< elements and checks that the verdict does not cover
   Shape mesh;
   std::vector<RegionAccount> regions;  ///< ascending by their tags; empty if there is only one region

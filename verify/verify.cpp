@@ -5,12 +5,14 @@
 #include <fmt/core.h>
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "io/error.hpp"
 #include "verify/checks/check_against_surface.hpp"
 #include "verify/checks/evidence.hpp"
+#include "verify/checks/whole_mesh.hpp"
 #include "verify/mesh/quality.hpp"
 #include "verify/mesh/regions.hpp"
 
@@ -52,6 +54,26 @@ Shape shape_of_mesh(const TetMesh& mesh, const TetrahedraEvidence& tetrahedra, c
   return shape;
 }
 
+Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options);
+
+// Judges the mended mesh, and names its elements as in the mesh as it is written.
+Mended judge_mended(const MendedMesh& mended, const JudgedSurface* surface) {
+  Report report = judge_mesh(mended.mesh, surface, mended.options);
+  const auto tet = [&](Index& t) { t = mended.tets[static_cast<std::size_t>(t)]; };
+  const auto vertex = [&](Index& v) {
+    if (v >= 0 && v < static_cast<Index>(mended.vertices.size()))
+      v = mended.vertices[static_cast<std::size_t>(v)];
+  };
+  for (CheckResult& result : report.checks)
+    for (Finding& finding : result.findings) {
+      std::for_each(finding.tets.begin(), finding.tets.end(), tet);
+      for (auto& run : finding.tet_runs) std::for_each(run.begin(), run.end(), tet);
+      std::for_each(finding.vertices.begin(), finding.vertices.end(), vertex);
+      for (auto& face : finding.faces) std::for_each(face.begin(), face.end(), vertex);
+    }
+  return {.how = mended.how, .certificate = report.certificate, .checks = std::move(report.checks)};
+}
+
 Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Options& options) {
   Record record(options, surface);
   refuse_unusable(mesh, surface, options);
@@ -71,10 +93,11 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
 
   const TetrahedraEvidence tetrahedra = examine_tetrahedra(mesh, points, record);
   check_tetrahedra(mesh, tetrahedra, record);
+  const WholeMeshEvidence whole = examine_whole_mesh(mesh, points, tetrahedra, options, record);
   Cracks cracks = examine_cracks(mesh, points, tetrahedra, record);
   check_cracks(mesh, points, cracks, record);
   const BoundaryEvidence boundary = examine_boundary(mesh, points, tetrahedra, cracks);
-  cracks.closed.reset();  // a copy of the mesh
+  cracks.closed.reset();  // a copy of the mesh; the pairs of faces are still needed
   phases.done("tetrahedra");
 
   const MeshVolumes volumes = mesh_volumes(mesh, boundary.boundary);
@@ -83,13 +106,15 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, points.excluded);
   phases.done("volume");
 
-  const ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
+  ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
+  examine_interfaces(mesh, points, tetrahedra, cracks, boundary.boundary, contacts, record);
   check_conformity(mesh, boundary.boundary, contacts, record);
   check_cavities(mesh, boundary.boundary, contacts.conformity, volumes,
                  surface ? right_cavities(options.region, surface->report()) : 0, record);
   check_manifold(mesh, boundary.boundary, contacts.conformity, record);
   check_self_intersection(mesh, boundary.boundary, contacts, record);
   check_overlap(mesh, points, boundary, contacts, record);
+  check_interfaces(mesh, points, boundary.boundary, contacts, record);
   phases.done("boundary");
 
   if (surface) {
@@ -98,8 +123,13 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   }
   beside.wait();
   if (options.quality) phases.done("quality");
+  check_whole_mesh(mesh, points, tetrahedra, whole, record);
   record.settle(mesh, options);
   phases.done("findings");
+  if (const auto mended = mend(mesh, points, whole, options, record)) {
+    report.if_mended = judge_mended(*mended, surface);
+    phases.done("without the faults of the whole mesh");
+  }
   return std::move(record.report);
 }
 

@@ -46,6 +46,9 @@ struct Options {
   /// takes, and tell its maker nothing new.
   bool coarse = false;
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
+  /// Ids of checks whose findings are meant, so that they and what follows from them do not fail: "crack" and
+  /// "non-conforming-interface", for models of fracture and contact. They remain in the report as warnings.
+  std::vector<std::string> allow{};
   /// The region of each tetrahedron, from the tags of its element; empty: one region. Regions may share
   /// faces. The mesh is judged as a whole, and each region gets its own account.
   std::vector<std::int64_t> regions{};
@@ -62,7 +65,8 @@ struct Options {
 /// intersect itself. No part of the boundary lies inside the solid of another part. Then every point off the
 /// boundary is covered as often as the boundary winds around it: once inside, never outside.
 ///
-/// The report is the same for any number of threads. Throws InputError for an unknown id in the options.
+/// The report is the same for any number of threads. Throws InputError for an unknown id in the options, and
+/// for one in `allow` that cannot be allowed.
 Report verify(const TetMesh& mesh, const Options& options = {});
 
 /// Judges the mesh, and compares it with a surface. Throws InputError when the surface is not usable

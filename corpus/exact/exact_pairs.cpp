@@ -124,4 +124,29 @@ Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners
   return result;
 }
 
+bool partly_on_each_other(const std::array<Eigen::Vector3d, 3>& f, const std::array<Eigen::Vector3d, 3>& g) {
+  std::array<Eigen::Vector3d, 6> points;
+  std::copy(f.begin(), f.end(), points.begin());
+  std::copy(g.begin(), g.end(), points.begin() + 3);
+  const int unit = last_bit(points);
+  std::array<IntegerPoint, 6> p;
+  for (int i = 0; i < 6; ++i) p[i] = integers(points[i], unit);
+  const IntegerPoint n = cross(p[1] - p[0], p[2] - p[0]);
+  for (int i = 3; i < 6; ++i)
+    if (dot(n, p[i] - p[0]) != 0) return false;
+  int common = 0;
+  for (int i = 0; i < 3; ++i) common += std::count(p.begin() + 3, p.end(), p[i]) > 0;
+  if (common == 3) return false;
+  // Two convex polygons have no area in common if the line of an edge separates them.
+  for (int first = 0; first < 6; first += 3)
+    for (int k = 0; k < 3; ++k) {
+      const IntegerPoint &a = p[first + k], &b = p[first + (k + 1) % 3];
+      const int inside = turn(n, a, b, p[first + (k + 2) % 3]);
+      bool separates = true;
+      for (int i = 0; i < 3; ++i) separates = separates && turn(n, a, b, p[3 - first + i]) != inside;
+      if (separates) return false;
+    }
+  return true;
+}
+
 }  // namespace tetproof::corpus

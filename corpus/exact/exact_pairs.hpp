@@ -26,4 +26,8 @@ struct Meeting {
 Meeting meeting(const Corners& a, const std::array<Index, 4>& one, const Corners& b,
                 const std::array<Index, 4>& other);
 
+/// Whether two triangles lie in one plane and have an area in common, but not all three corners. They must
+/// not be degenerate.
+bool partly_on_each_other(const std::array<Eigen::Vector3d, 3>& f, const std::array<Eigen::Vector3d, 3>& g);
+
 }  // namespace tetproof::corpus

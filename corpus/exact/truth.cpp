@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "corpus/exact/exact_integers.hpp"
 #include "corpus/exact/exact_pairs.hpp"
+#include "corpus/exact/truth_shift.hpp"
 
 namespace tetproof::corpus {
 namespace {
@@ -36,6 +36,7 @@ class Brute {
     duplicates();
     faces();
     orientations(asked);
+    truth.shift = shift_of(mesh);
     pairs(asked);
   }
   Truth truth;
@@ -89,6 +90,19 @@ class Brute {
     }
     for (const auto& [key, tets] : same)
       if (tets.size() > 1) truth.duplicates.push_back(tets);
+    std::map<std::array<Index, 4>, std::vector<Index>> in_place;
+    for (const auto& [key, tets] : same) {
+      std::array<Index, 4> places = key;
+      for (Index& v : places) v = first_[static_cast<std::size_t>(v)];
+      std::sort(places.begin(), places.end());
+      in_place[places].push_back(tets[0]);
+    }
+    for (auto& [places, tets] : in_place) {
+      if (tets.size() < 2 || std::set<Index>(places.begin(), places.end()).size() < 4) continue;
+      std::sort(tets.begin(), tets.end());
+      truth.copies.push_back(tets);
+    }
+    std::sort(truth.copies.begin(), truth.copies.end());
   }
 
   void faces() {
@@ -197,6 +211,7 @@ class Brute {
     truth.touches.assign(touches.begin(), touches.end());
     std::sort(truth.overlaps.begin(), truth.overlaps.end());
     std::sort(truth.crossings.begin(), truth.crossings.end());
+    std::sort(truth.touching_faces.begin(), truth.touching_faces.end());
   }
 
   void pair(Index s, Index t, std::set<Touch>& touches) {
@@ -211,8 +226,20 @@ class Brute {
     const std::array<Index, 2> key{std::min(s, t), std::max(s, t)};
     if (found.overlap) truth.overlaps.push_back(key);
     if (found.crossing) truth.crossings.push_back(key);
+    if (!found.overlap && (found.crossing || !found.one_in_other.empty() || !found.other_in_one.empty()) &&
+        faces_touch(one, other))
+      truth.touching_faces.push_back(key);
     for (const int i : found.one_in_other) touches.insert({one[i], t});
     for (const int i : found.other_in_one) touches.insert({other[i], s});
+  }
+
+  bool faces_touch(const std::array<Index, 4>& one, const std::array<Index, 4>& other) const {
+    for (const auto& [i, j, k] : tet_faces)
+      for (const auto& [l, m, n] : tet_faces)
+        if (partly_on_each_other({point(one[i]), point(one[j]), point(one[k])},
+                                 {point(other[l]), point(other[m]), point(other[n])}))
+          return true;
+    return false;
   }
 
   const TetMesh& mesh_;
@@ -230,16 +257,17 @@ bool Truth::valid() const {
 }
 
 bool Truth::confirms(std::string_view id) const {
-  if (id == "index-range") return !out_of_range.empty();
+  if (id == "index-range") return !out_of_range.empty() || shift != 0;
   if (id == "finite-coordinates") return !not_finite.empty();
   if (id == "repeated-vertex") return !repeating.empty();
   if (id == "duplicate-point") return !equal_points.empty();
   if (id == "unused-point") return !unused.empty();
-  if (id == "duplicate-tet") return !duplicates.empty();
+  if (id == "duplicate-tet") return !duplicates.empty() || !copies.empty();
   if (id == "inverted") return !negative.empty();
   if (id == "flat") return !flat.empty();
   if (id == "face-shared-thrice") return !thrice.empty();
   if (id == "face-orientation") return !one_sided.empty();
+  if (id == "non-conforming-interface") return !touching_faces.empty();
   if (id == "crack") return !coinciding_faces.empty();
   if (id == "boundary-nonmanifold-edge") return !nonmanifold_edges.empty();
   if (id == "boundary-nonmanifold-vertex") return !nonmanifold_vertices.empty();
@@ -256,34 +284,6 @@ Truth truth(const TetMesh& mesh) {
   std::vector<Index> all(mesh.tets.size());
   std::iota(all.begin(), all.end(), 0);
   return truth(mesh, all, mesh.tets.size() * mesh.tets.size() + 1);
-}
-
-int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                const Eigen::Vector3d& d) {
-  const std::array<Eigen::Vector3d, 4> all{a, b, c, d};
-  const int unit = last_bit(all);
-  const IntegerPoint p = integers(a, unit);
-  return dot(cross(integers(b, unit) - p, integers(c, unit) - p), integers(d, unit) - p).sign();
-}
-
-bool within_of_line(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                    double limit) {
-  const std::array<Eigen::Vector3d, 4> all{p, a, b, {limit, 0, 0}};
-  const int unit = last_bit(all);
-  const IntegerPoint way = integers(b, unit) - integers(a, unit),
-                     area = cross(integers(p, unit) - integers(a, unit), way);
-  const Integer least = integer(limit, unit);
-  return dot(area, area) <= least * least * dot(way, way);
-}
-
-bool within_of_plane(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                     const Eigen::Vector3d& c, double limit) {
-  const std::array<Eigen::Vector3d, 5> all{p, a, b, c, {limit, 0, 0}};
-  const int unit = last_bit(all);
-  const IntegerPoint normal =
-      cross(integers(b, unit) - integers(a, unit), integers(c, unit) - integers(a, unit));
-  const Integer height = dot(normal, integers(p, unit) - integers(a, unit)), least = integer(limit, unit);
-  return height * height <= least * least * dot(normal, normal);
 }
 
 }  // namespace tetproof::corpus

@@ -129,6 +129,21 @@ bool copy_face_to_face(Site& s) {
   return true;
 }
 
+// Adds a copy of the mesh on one of its sides. In the plane of this side it is moved by a part of its size,
+// so that the faces do not match. The mesh must end in a plane on both sides.
+bool copy_moved_along_side(Site& s) {
+  const int axis = s.random.below(3);
+  Point shift = (s.parts.high - s.parts.low) / 4;
+  if (s.random.below(2)) shift[(axis + 1) % 3] *= -2;
+  shift[axis] = s.parts.high[axis] - s.parts.low[axis];
+  s.add_copy([&](const Point& p) -> Point {
+    Point q = p + shift;
+    if (p[axis] == s.parts.low[axis]) q[axis] = s.parts.high[axis];  // rounding may have put it beside
+    return q;
+  });
+  return true;
+}
+
 // Adds a chain of two tetrahedra to a boundary vertex. They are connected at vertices only, as happens if
 // components are merged too eagerly.
 bool merged_vertices(Site& s) {
@@ -218,7 +233,7 @@ std::vector<PlantKind> contact_kinds() {
       {.id = "face-on-face",
        .expected = defective,
        .flags = {"boundary"},
-       .needed = {"boundary-self-intersection"},
+       .needed = {"non-conforming-interface"},
        .comment = "a tetrahedron outside, one of whose faces lies exactly in a larger boundary face",
        .mutate = [](Site& s) { return in_face(s, 3); }},
       {.id = "blocks-face-to-face",
@@ -229,6 +244,12 @@ std::vector<PlantKind> contact_kinds() {
                 "hanging-node", "crossed-diagonal"},
        .comment = "a second copy of the mesh that touches it, with its own points",
        .mutate = copy_face_to_face},
+      {.id = "blocks-side-by-side",
+       .expected = defective,
+       .flags = {"boundary", "whole", "points"},
+       .needed = {"non-conforming-interface"},
+       .comment = "a second copy of the mesh that touches it along faces that do not match",
+       .mutate = copy_moved_along_side},
       {.id = "pinched-chain",
        .expected = debatable,
        .flags = {"boundary"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kinds that add a second copy of the whole mesh.
 #include <algorithm>
+#include <map>
 
 #include "corpus/planting/plant_site.hpp"
 
@@ -23,6 +24,23 @@ bool tip_to_tip(Site& s, double depth) {
       std::minmax_element(s.parts.mesh.points.begin(), s.parts.mesh.points.end(), higher);
   const Point aside = 0.25 * depth * s.direction();
   return copy(s, *highest - *lowest - depth * n + aside);
+}
+
+// Adds the tetrahedra at a vertex once more, with points of their own in the same places.
+bool copy_ball(Site& s) {
+  const Index v = s.some_vertex();
+  if (v < 0) return false;
+  std::map<Index, Index> again;
+  for (const Index t : s.tets_at(v)) {
+    Tet tet = s.tet(t);
+    for (Index& w : tet) {
+      if (!again.contains(w)) again[w] = s.add(s.at(w));
+      w = again[w];
+    }
+    s.mesh.tets.push_back(tet);
+    s.removed.push_back(0);
+  }
+  return true;
 }
 
 bool nested(Site& s, double share, bool wound_negative) {
@@ -56,7 +74,7 @@ std::vector<PlantKind> copy_kinds() {
       {.id = "blocks-interpenetrate-1e-12",
        .expected = defective,
        .flags = {"overlap", "whole", "rounding"},
-       .needed = either,
+       .needed = {"overlap", "boundary-self-intersection", "non-conforming-interface"},
        .also = {"near-contact"},
        .comment = "a second copy of the mesh beside it, which reaches into it by 1e-12 of the diagonal",
        .mutate = [](Site& s) { return tip_to_tip(s, std::max(1e-12 * s.parts.diagonal, 4 * s.unit())); }},
@@ -73,13 +91,18 @@ std::vector<PlantKind> copy_kinds() {
       {.id = "copy-in-place",
        .expected = defective,
        .flags = {"overlap", "whole", "points"},
-       .needed = either,
-       .also = {"duplicate-point", "crack"},
+       .needed = {"duplicate-tet"},
        .comment = "a second copy of the mesh in the same place, with its own points",
        .mutate =
            [](Site& s) {
              return copy(s, {0, 0, 0});
            }},
+      {.id = "copied-ball",
+       .expected = defective,
+       .flags = {"duplicates", "points"},
+       .needed = {"duplicate-tet"},
+       .comment = "the tetrahedra at a vertex are there twice, the second time with their own points",
+       .mutate = copy_ball},
       {.id = "copy-beside",
        .expected = sound,
        .flags = {"control", "whole"},

@@ -95,6 +95,14 @@ bool jolted(Site& s) {
   return true;
 }
 
+// All vertex numbers are too high by `by`, or too low by -`by`. `unused` further points follow the others.
+bool shifted(Site& s, int by, int unused) {
+  for (int i = 0; i < unused; ++i) s.add(s.at(0) + s.parts.diagonal * s.direction());
+  for (Tet& tet : s.mesh.tets)
+    for (Index& v : tet) v += static_cast<Index>(by);
+  return true;
+}
+
 bool swapped_numbers(Site& s) {
   const Index t = s.some_tet([&](Index i) { return s.inner(i); });
   if (t < 0) return false;
@@ -140,6 +148,24 @@ std::vector<PlantKind> number_kinds() {
        .needed = {"index-range"},
        .comment = "a tetrahedron names a negative vertex number",
        .mutate = [](Site& s) { return index_is(s, -1 - s.random.below(100)); }},
+      {.id = "numbers-shifted",
+       .expected = defective,
+       .flags = {"numbers", "whole"},
+       .needed = {"index-range"},
+       .comment =
+           "all vertex numbers are one too high or one too low, as if numbers from 0 were read as numbers "
+           "from 1",
+       .mutate = [](Site& s) { return shifted(s, s.random.below(2) ? 1 : -1, 0); }},
+      {.id = "numbers-shifted-in-range",
+       .expected = defective,
+       .flags = {"numbers", "whole"},
+       .needed = {"index-range"},
+       .comment = "all vertex numbers are up to three too high, and there are as many further points",
+       .mutate =
+           [](Site& s) {
+             const int by = 1 + s.random.below(3);
+             return shifted(s, by, by);
+           }},
       {.id = "nan-inside",
        .expected = defective,
        .flags = {"coordinates"},

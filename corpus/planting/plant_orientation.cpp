@@ -43,6 +43,21 @@ bool invert_side(Site& s, double share) {
   return true;
 }
 
+// Turns all tetrahedra of the copy except for one.
+bool invert_all_but_one(Site& s) {
+  const Index t = s.some_tet();
+  for (Index u = 0; u < s.tets(); ++u)
+    if (u != t) std::swap(s.mesh.tets[at(u)][0], s.mesh.tets[at(u)][1]);
+  return t >= 0;
+}
+
+// Behind the other vertex order, diagonals cross.
+bool crossed_and_inverted(Site& s) {
+  if (!plant_kind("crossed-diagonals").mutate(s)) return false;
+  for (Tet& tet : s.mesh.tets) std::swap(tet[0], tet[1]);
+  return true;
+}
+
 bool invert_ball(Site& s) {
   const Index v = s.some_vertex();
   if (v < 0) return false;
@@ -151,6 +166,21 @@ std::vector<PlantKind> orientation_kinds() {
        .needed = {"inverted"},
        .comment = "every tetrahedron is inverted",
        .mutate = [](Site& s) { return invert_side(s, 1); }},
+      {.id = "inverted-all-but-one",
+       .expected = defective,
+       .flags = {"orientation", "whole"},
+       .needed = {"inverted"},
+       .comment = "every tetrahedron but one is inverted",
+       .mutate = invert_all_but_one},
+      {.id = "inverted-all-and-crossed",
+       .expected = defective,
+       .flags = {"orientation", "whole"},
+       .needed = {"inverted"},
+       .also = {"hanging-node", "crossed-diagonal", "boundary-self-intersection", "near-contact"},
+       .comment =
+           "every tetrahedron is inverted, and a quadrilateral is cut along different diagonals on its "
+           "two sides",
+       .mutate = crossed_and_inverted},
       {.id = "mirrored",
        .expected = defective,
        .flags = {"orientation", "whole"},

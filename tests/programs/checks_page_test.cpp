@@ -36,19 +36,20 @@ TEST(ChecksPage, HasASectionForEachCheck) {
 
 TEST(ChecksPage, ItsSectionsSayHowSevereAndHowExact) {
   std::string section;
-  std::size_t of_section = 0, examples = 0;
+  std::size_t said = 0, examples = 0, all_examples = 0;  // how severe and what it cannot see; of the section
+  const auto complete = [&] { return section.empty() || (said == 2 && examples > 0); };
   for (const std::string& line : page()) {
     if (line.starts_with("## ")) {
-      EXPECT_TRUE(section.empty() || of_section == 3) << section;
-      section = line.substr(3), of_section = 0;
+      EXPECT_TRUE(complete()) << section;
+      section = line.substr(3), said = examples = 0;
     }
-    of_section += line.starts_with("Fails.") || line.starts_with("Warns");
-    of_section += line.starts_with("It cannot see: ");
-    of_section += line.starts_with("    $ tetproof-verify ");
+    said += line.starts_with("Fails.") || line.starts_with("Warns");
+    said += line.starts_with("It cannot see: ");
     examples += line.starts_with("    $ tetproof-verify ");
+    all_examples += line.starts_with("    $ tetproof-verify ");
   }
-  EXPECT_EQ(of_section, 3u) << section;
-  EXPECT_GT(examples, 20u);
+  EXPECT_TRUE(complete()) << section;
+  EXPECT_GT(all_examples, 20u);
 }
 
 TEST(ChecksPage, ItsExamplesAreWhatIsPrinted) {

@@ -158,6 +158,33 @@ TEST_F(Verify, ChecksAreChosenById) {
     EXPECT_THAT(list.out, HasSubstr(std::string(id) + "\n"));
 }
 
+// Two cubes side by side, each with its own points: as one writes a model of contact or fracture.
+TEST_F(Verify, WhatIsMeantIsAllowed) {
+  const std::string zoo = TETPROOF_SOURCE_DIR "/corpus/bad-meshes/";
+  for (const auto& [mesh, id] : {std::pair<std::string, std::string>{"touching-face.msh", "crack"},
+                                 {"blocks-side-by-side.msh", "non-conforming-interface"}}) {
+    EXPECT_EQ(run({zoo + mesh}).exit_code, 1);
+    const Outcome outcome = run({zoo + mesh, "--allow", "crack,non-conforming-interface"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome;
+    EXPECT_THAT(outcome.out, HasSubstr(": sound: certified except for what is allowed (1 " + id + ")"));
+    const json allowed = report({zoo + mesh, "--allow", id}, 0);
+    EXPECT_EQ(allowed["allowed"], json::parse("[{\"check\": \"" + id + "\", \"count\": 1}]"));
+    EXPECT_EQ(check(allowed, id)["verdict"], "warning");
+    EXPECT_EQ(allowed["certificate"], true);
+  }
+  EXPECT_FALSE(report({"cube.node", "--allow", "crack"}, 0).contains("allowed"));
+}
+
+TEST_F(Verify, FaultsOfTheWholeMeshAreTakenAway) {
+  const std::string zoo = TETPROOF_SOURCE_DIR "/corpus/bad-meshes/";
+  const json twice = report({zoo + "copy-in-place.msh"}, 1);
+  EXPECT_EQ(check(twice, "duplicate-tet")["findings"][0]["tet_runs"], json({{1, 12}, {13, 24}}));
+  EXPECT_EQ(twice["if_mended"]["certificate"], true);
+  EXPECT_EQ(twice["if_mended"]["checks"].size(), twice["checks"].size());
+  EXPECT_EQ(twice["certificate"], false);
+  EXPECT_FALSE(report({"cube.node"}, 0).contains("if_mended"));
+}
+
 TEST_F(Verify, BadInputIsOneLine) {
   const std::string closed = cube_off;  // without its last triangle below
   files.write("open.off", "OFF\n8 11 0\n" + closed.substr(11, closed.rfind("3 1 7 5") - 11));
@@ -168,6 +195,8 @@ TEST_F(Verify, BadInputIsOneLine) {
       {{"cube.node", "missing.off"}, "missing.off"},
       {{"cube.node", "--region", "inside"}, "--region inside needs a SURFACE"},
       {{"cube.node", "--check", "no-such"}, "unknown check 'no-such'"},
+      {{"cube.node", "--allow", "no-such"}, "unknown check 'no-such'"},
+      {{"cube.node", "--allow", "inverted"}, "findings of 'inverted' cannot be allowed"},
       {{"cube.node", "cube.off", "--fidelity", "-1"}, "--fidelity"},
       {{"points.node"}, "points.node"},
       {{}, "MESH is required"},

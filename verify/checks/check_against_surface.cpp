@@ -54,6 +54,21 @@ VoxelEvidence examine_voxels(const JudgedSurface& surface, const Options& option
   }
 }
 
+// The volume of a layer as thick as the allowed distance would let a thin solid be lost as a whole. So no
+// more than this share of the solid's volume may differ.
+constexpr double largest_volume_share = 0.25;
+
+// Says that the allowed distance lets whole walls of the solid be lost. 2 V / A is the mean thickness of a
+// thin solid: the width of a plate with the same volume and area.
+void note_thin_solid(const SurfaceReport& surface, double allowed, Report& report) {
+  const double thickness = 2 * surface.volume / surface.area;
+  if (!(allowed > thickness)) return;
+  report.notes.push_back(
+      fmt::format("the allowed distance {:.6g} is wider than the solid is thick (2 V / A = {:.6g}): a "
+                  "distance within it does not show that the solid is there",
+                  allowed, thickness));
+}
+
 // The volume that the mesh has, beside the one that it should have.
 struct VolumeEvidence {
   double difference = 0;  // what the mesh has more than it should, the nearest double to the exact value
@@ -76,6 +91,7 @@ VolumeEvidence compare_volumes(const JudgedMesh& mesh, const SurfaceJudgement& j
       .difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights),
       .outer = volumes.sets.weighted_sum(outer),
       .allowed = mesh.options.fidelity * (s.box_max - s.box_min).norm() * s.area};
+  if (!mesh.options.coarse) evidence.allowed = std::min(evidence.allowed, largest_volume_share * s.volume);
   evidence.right = outside ? evidence.outer - s.volume : s.volume;
   return evidence;
 }
@@ -110,10 +126,9 @@ void check_volume_voxel(const VolumeEvidence& volumes, Region region, const Voxe
                                 (region == Region::outside ? volumes.outer - voxels.inside : voxels.inside));
   CheckResult& result = record.result(Check::volume_voxel);
   result.measured = apart;
-  result.allowed = volumes.allowed;
-  if (!(apart > volumes.allowed)) return;
-  if (apart <= volumes.allowed + voxels.error_bound) result.verdict = Verdict::undecided;
-  if (!(apart > volumes.allowed + voxels.error_bound)) return;
+  // An account that agrees within its own error contradicts nothing.
+  result.allowed = volumes.allowed + voxels.error_bound;
+  if (!(apart > *result.allowed)) return;
   record[Check::volume_voxel] = Suspects::complete(
       {{.what = fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed {:.6g} and the "
                             "voxels' error of at most {:.6g}",
@@ -170,10 +185,10 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     report.notes.push_back(fmt::format("the topology was not compared with the surface's: {}", not_whole));
   }
   if (!whole && options.region == Region::outside) {
-    record.could_not_run(
-        {Check::missing_region, Check::excess_region, Check::off_surface_vertex, Check::volume_surface,
-         Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
-        not_whole);
+    record.could_not_run({Check::bounding_box, Check::missing_region, Check::excess_region,
+                          Check::off_surface_vertex, Check::volume_surface, Check::volume_voxel,
+                          Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+                         not_whole);
     return;
   }
 
@@ -182,6 +197,7 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel});
   const VoxelEvidence voxels = examine_voxels(surface, options, record);
   const Comparison comparison(mesh, surface, own);
+  check_bounding_box(comparison, record);
   RegionEvidence regions;
   if (comparison.mesh_tree) {
     if (record.wants(Check::topology)) check_topology(comparison, record);
@@ -196,10 +212,12 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
                          why);
     report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
   }
+  note_thin_solid(surface.report(), comparison.allowed, report);
   const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   check_volume_surface(volumes, record);
   check_volume_voxel(volumes, options.region, voxels, record);
   name_region(regions, record);
+  name_bounding_box(record);
 }
 
 }  // namespace tetproof::verify

@@ -95,7 +95,8 @@ PointEvidence examine_points(const TetMesh& mesh, const Record& record) {
         if (!finite[v]) evidence.not_finite.emplace_back(v, t);
   }
   std::sort(evidence.not_finite.begin(), evidence.not_finite.end());
-  if (record.wants(Check::duplicate_point) || record.wants(Check::crack))
+  if (record.wants(Check::duplicate_point) || record.wants(Check::duplicate_tet) ||
+      record.wants(Check::crack))
     evidence.same_place = equal_points(mesh.points);
   return evidence;
 }

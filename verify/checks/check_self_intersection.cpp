@@ -21,20 +21,21 @@ bool wants_nearness(const Record& record) {
 Intersections find_meetings(const TetMesh& mesh, const Boundary& boundary, const Near& near,
                             const std::vector<std::uint8_t>& degenerate, Record& record) {
   const bool nearness = wants_nearness(record);
-  if (!nearness && !record.wants(Check::boundary_self_intersection) && !record.wants(Check::overlap))
+  if (!nearness && !record.wants(Check::boundary_self_intersection) && !record.wants(Check::overlap) &&
+      !record.wants(Check::non_conforming_interface))
     return {};
   Intersections meetings = self_intersections(mesh.points, boundary.boundary_triangles(), degenerate,
                                               most_pairs, nearness ? &near : nullptr);
   const bool more = meetings.more;
   if (!more && !meetings.more_near) return meetings;
   const char* which = more ? "meet" : "are near each other";
-  record.could_not_run({Check::hanging_node, Check::crossed_diagonal, Check::near_contact},
-                       fmt::format("more than {} pairs of boundary faces {}", most_counted_pairs, which));
+  const std::string why = fmt::format("more than {} pairs of boundary faces {}", most_counted_pairs, which);
+  record.could_not_run({Check::hanging_node, Check::crossed_diagonal, Check::near_contact}, why);
+  if (more) record.could_not_run({Check::non_conforming_interface}, why);
   record.report.notes.push_back(
-      fmt::format("more than {} pairs of boundary faces {}: {}hanging nodes, crossed diagonals and near "
-                  "contacts were not searched for{}",
-                  most_counted_pairs, which, more ? "some of them are named; " : "",
-                  more ? ", and overlaps only among those" : ""));
+      fmt::format("{}: {}hanging nodes, crossed diagonals and near contacts were not searched for{}", why,
+                  more ? "some of them are named; " : "",
+                  more ? ", nor interfaces that do not match, and overlaps only among those" : ""));
   return meetings;
 }
 
@@ -67,7 +68,8 @@ ContactEvidence examine_contacts(const TetMesh& mesh, const Boundary& boundary, 
                            .meetings = {},
                            .covered = {},
                            .conformity = {},
-                           .near_pairs = {}};
+                           .near_pairs = {},
+                           .interfaces = {}};
   evidence.meetings = find_meetings(mesh, boundary, evidence.near, degenerate.triangles, record);
   const Intersections& meetings = evidence.meetings;
   if (record.wants(Check::overlap) && !meetings.more)

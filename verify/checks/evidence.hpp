@@ -11,6 +11,7 @@
 
 #include "verify/checks/conformity.hpp"
 #include "verify/checks/record.hpp"
+#include "verify/checks/touching_parts.hpp"
 #include "verify/mesh/boundary.hpp"
 #include "verify/mesh/cracks.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
@@ -68,13 +69,24 @@ struct ContactEvidence {
   std::vector<CoveredFace> covered;  ///< at most one for each group of faces
   Conformity conformity;
   std::vector<std::array<Index, 2>> near_pairs;  ///< faces that are near each other without being one place
+  Interfaces interfaces;                         ///< filled by `examine_interfaces`
 };
-/// So many pairs of triangles that meet or are near each other are kept; the others are counted.
-inline constexpr std::size_t most_pairs = 100000;
+/// So many pairs of triangles that meet or are near each other are kept; the others are counted. All that are
+/// counted are kept: one interface between two parts can have hundreds of thousands of pairs.
+inline constexpr std::size_t most_pairs = most_counted_pairs;
 ContactEvidence examine_contacts(const TetMesh& mesh, const Boundary& boundary, Record& record);
 /// hanging-node, crossed-diagonal, near-contact.
 void check_conformity(const TetMesh& mesh, const Boundary& boundary, const ContactEvidence& contacts,
                       Record& record);
+/// Finds parts that touch, and drops covered faces that only such parts cover.
+void examine_interfaces(const TetMesh& mesh, const PointEvidence& points,
+                        const TetrahedraEvidence& tetrahedra, const Cracks& cracks, const Boundary& boundary,
+                        ContactEvidence& contacts, const Record& record);
+/// So many faces of an interface are listed; the others are counted.
+inline constexpr std::size_t most_faces_of_an_interface = 100;
+/// non-conforming-interface; the cause of what the checks before found at an interface.
+void check_interfaces(const TetMesh& mesh, const PointEvidence& points, const Boundary& boundary,
+                      const ContactEvidence& contacts, Record& record);
 /// boundary-self-intersection.
 void check_self_intersection(const TetMesh& mesh, const Boundary& boundary, const ContactEvidence& contacts,
                              Record& record);

@@ -19,6 +19,8 @@ class Record {
   Record(const Options& options, bool with_surface);
 
   bool wants(Check check) const { return wanted_[static_cast<std::size_t>(check)]; }
+  /// Whether the options say that findings of this check are meant.
+  bool allows(Check check) const { return allowed_[static_cast<std::size_t>(check)]; }
   /// Drops checks that the options do not ask for, after all.
   void leave_out(std::initializer_list<Check> checks);
   /// Drops checks that were asked for and cannot run; the report then lists them as not judged.
@@ -28,13 +30,17 @@ class Record {
   const Suspects& operator[](Check check) const { return suspects_[static_cast<std::size_t>(check)]; }
   CheckResult& result(Check check) { return report.checks[static_cast<std::size_t>(check)]; }
 
+  /// Makes this suspect the cause of all suspects of other checks, even of those that name another cause,
+  /// except for those of the checks in `but`.
+  void blame(Cause cause, std::initializer_list<Check> but);
+
   /// Turns the suspects into findings, and gives each check its verdict and the mesh its certificate.
   void settle(const TetMesh& mesh, const Options& options);
 
   Report report;
 
  private:
-  std::array<bool, check_count> wanted_{};
+  std::array<bool, check_count> wanted_{}, allowed_{};
   std::vector<Suspects> suspects_ = std::vector<Suspects>(check_count);
 };
 

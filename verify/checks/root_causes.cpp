@@ -8,7 +8,7 @@
 namespace tetproof::verify {
 namespace {
 
-using Set = std::uint32_t;  // a set of checks, one bit for each
+using Set = std::uint64_t;  // a set of checks, one bit for each
 constexpr Set set() {
   return 0;
 }
@@ -17,7 +17,7 @@ constexpr Set set(Check check, More... more) {
   return Set{1} << static_cast<int>(check) | set(more...);
 }
 
-static_assert(check_count <= 32, "a set has a bit for each check");
+static_assert(check_count <= 64, "a set has a bit for each check");
 
 // Tetrahedra that miss vertices, and tetrahedra that take no part in what follows.
 constexpr Set without_vertices = set(Check::index_range, Check::repeated_vertex);
@@ -158,14 +158,17 @@ void add_consequence(Finding& cause, Check check) {
 
 }  // namespace
 
-void separate_causes(const TetMesh& mesh, const std::vector<Suspects>& suspects, Report& report) {
+CheckCounts separate_causes(const TetMesh& mesh, const std::vector<Suspects>& suspects,
+                            const std::array<bool, check_count>& allowed, Report& report) {
   // These come last: points in one place are consequences of the crack between the faces that name them.
   constexpr Set last = set(Check::duplicate_point, Check::unused_point);
   // Checks whose suspects other suspects can name as their cause.
   constexpr Set named =
-      set(Check::inverted, Check::face_orientation, Check::hanging_node, Check::crossed_diagonal,
-          Check::crack, Check::missing_region, Check::excess_region, Check::off_surface_vertex);
+      set(Check::index_range, Check::duplicate_tet, Check::inverted, Check::face_orientation,
+          Check::hanging_node, Check::crossed_diagonal, Check::crack, Check::non_conforming_interface,
+          Check::bounding_box, Check::missing_region, Check::excess_region, Check::off_surface_vertex);
   const auto is_in = [](Check check, Set checks) { return (checks >> static_cast<int>(check) & 1) != 0; };
+  CheckCounts excused{};
   Roots roots(mesh);
   std::array<std::vector<std::uint32_t>, check_count> root_of;  // the root of each suspect of these checks
   const auto settle_check = [&](CheckResult& result) {
@@ -182,6 +185,7 @@ void separate_causes(const TetMesh& mesh, const std::vector<Suspects>& suspects,
       const bool follows = root != Roots::none;
       if (follows) {
         ++result.consequences;
+        if (allowed[static_cast<std::size_t>(roots[root].check)]) ++excused[check];
         roots.mark_consequence(finding, root);
         auto& findings = report.checks[static_cast<std::size_t>(roots[root].check)].findings;
         if (roots[root].finding < findings.size())
@@ -203,6 +207,7 @@ void separate_causes(const TetMesh& mesh, const std::vector<Suspects>& suspects,
     if (!is_in(result.check, last)) settle_check(result);
   for (CheckResult& result : report.checks)
     if (is_in(result.check, last)) settle_check(result);
+  return excused;
 }
 
 }  // namespace tetproof::verify

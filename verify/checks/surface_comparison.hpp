@@ -51,6 +51,10 @@ struct DistanceEvidence {
   std::vector<OffVertex> off_vertices;  ///< the farthest first
   bool undecided_vertices = false;  ///< some vertices are within the rounding error of the allowed distance
 };
+/// bounding-box.
+void check_bounding_box(const Comparison& comparison, Record& record);
+/// Makes a finding of bounding-box the cause of what all other checks against the surface found.
+void name_bounding_box(Record& record);
 DistanceEvidence measure_distances(const Comparison& comparison, Record& record);
 /// off-surface-vertex, mesh-to-surface, surface-to-mesh.
 void check_distances(const Comparison& comparison, const DistanceEvidence& distances, Record& record);

@@ -29,6 +29,18 @@ struct Suspects {
   /// cause is known for any.
   std::function<std::optional<Cause>(std::size_t)> cause = nullptr;
 
+  /// Names a cause for the suspects for which none is known.
+  void add_cause(std::function<std::optional<Cause>(std::size_t)> more) {
+    if (!cause) {
+      cause = std::move(more);
+      return;
+    }
+    cause = [first = std::move(cause), more = std::move(more)](std::size_t i) {
+      const std::optional<Cause> known = first(i);
+      return known ? known : more(i);
+    };
+  }
+
   /// Suspects whose findings are complete.
   static Suspects complete(std::vector<Finding> findings) {
     const std::size_t count = findings.size();

@@ -109,7 +109,7 @@ int work(const Arguments& given, const program::Common& common) {
   }
   if (given.mesh.empty()) throw InputError("MESH is required (see tetproof-verify --help)");
   Arguments arguments = given;
-  for (const auto* ids : {&arguments.options.check, &arguments.options.skip})
+  for (const auto* ids : {&arguments.options.check, &arguments.options.skip, &arguments.options.allow})
     for (const std::string& id : *ids) verify::check_of_id(id);
   if (arguments.surface.empty()) {
     if (!arguments.region.empty() && arguments.region != "none")
@@ -183,8 +183,8 @@ int main(int argc, char** argv) {
             ->always_capture_default(false);
         app.add_option("--fidelity", options.fidelity,
                        "allowed distance between boundary and surface, in units of the surface's box "
-                       "diagonal; the allowed volume difference is this x diagonal x area; 0: the mesh "
-                       "reproduces the surface exactly")
+                       "diagonal; the allowed volume difference is this x diagonal x area, and at most a "
+                       "quarter of the surface's volume; 0: the mesh reproduces the surface exactly")
             ->type_name("D")
             ->check(CLI::NonNegativeNumber);
         app.add_flag("--strict-topology", options.strict_topology,
@@ -201,6 +201,13 @@ int main(int argc, char** argv) {
             ->delimiter(',')
             ->allow_extra_args(false);
         app.add_option("--skip", options.skip, "all checks except these, by id")
+            ->type_name("LIST")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+        app.add_option("--allow", options.allow,
+                       "checks whose findings are meant: crack, non-conforming-interface, for models of "
+                       "fracture and contact. What they and their consequences find is a warning, and the "
+                       "certificate holds except for it")
             ->type_name("LIST")
             ->delimiter(',')
             ->allow_extra_args(false);

@@ -12,14 +12,25 @@ constexpr std::size_t shown = 5;  // elements of a finding
 
 std::string place(const Finding& finding, const Numbering& numbering) {
   std::string text;
-  const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name) {
+  const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name,
+                       const char* of = "") {
     if (count == 0) return;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", count == 1 ? one : many);
     for (std::size_t i = 0; i < count && i < shown; ++i) text += (i ? ", " : " ") + name(i);
-    if (count > shown) text += fmt::format(", ... ({} in all)", count);
+    if (count > shown) text += fmt::format(", ... ({}{} in all)", count, of);
   };
-  add(finding.tets.size(), "tetrahedron", "tetrahedra",
-      [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
+  if (!finding.tet_runs.empty())
+    add(
+        finding.tet_runs.size(), "tetrahedra", "tetrahedra",
+        [&](std::size_t i) {
+          const auto& [first, last] = finding.tet_runs[i];
+          return first == last ? fmt::format("{}", numbering.tet(first))
+                               : fmt::format("{}-{}", numbering.tet(first), numbering.tet(last));
+        },
+        " runs");
+  else
+    add(finding.tets.size(), "tetrahedron", "tetrahedra",
+        [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
   add(finding.faces.size(), "face", "faces", [&](std::size_t i) {
     const auto& [a, b, c] = finding.faces[i];
     return fmt::format("({} {} {})", numbering.point(a), numbering.point(b), numbering.point(c));
@@ -68,6 +79,23 @@ std::string check_text(const CheckResult& result, const Numbering& numbering, st
   return text + "\n" + findings_text(result, numbering, most);
 }
 
+std::string if_mended_text(const Report& report, const Numbering& numbering, std::size_t most) {
+  if (!report.if_mended) return {};
+  const Mended& mended = *report.if_mended;
+  std::string remains;
+  for (const Verdict verdict : {Verdict::fail, Verdict::warning})
+    for (const CheckResult& result : mended.checks)
+      if (result.verdict == verdict) remains += check_text(result, numbering, most);
+  std::string text = fmt::format("judged again with {}: {}; {}\n", mended.how,
+                                 mended.certificate == true ? "certified" : "no certificate",
+                                 remains.empty() ? "nothing is wrong" : "this remains");
+  for (std::size_t start = 0, end; start < remains.size(); start = end) {
+    end = remains.find('\n', start) + 1;
+    text += "  " + remains.substr(start, end - start);
+  }
+  return text;
+}
+
 std::string failure_text(const Report& report, const Numbering& numbering, std::size_t most) {
   std::string text = verdict_text(report) + "\n";
   for (const CheckResult& result : report.checks) {
@@ -75,6 +103,7 @@ std::string failure_text(const Report& report, const Numbering& numbering, std::
     text += check_text(result, numbering, most);
     most -= std::min(most, result.findings.size());
   }
+  text += if_mended_text(report, numbering, most);
   return text;
 }
 

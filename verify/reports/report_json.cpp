@@ -41,13 +41,16 @@ Json json(const Finding& finding, const Numbering& numbering) {
   Json point, exact;
   if (finding.point) point = {finding.point->x(), finding.point->y(), finding.point->z()};
   if (!finding.point_exact[0].empty()) exact = finding.point_exact;
-  return {{"tets", tets},
-          {"vertices", vertices},
-          {"faces", faces},
-          {"point", point},
-          {"point_exact", exact},
-          {"what", finding.what},
-          {"consequences", consequences}};
+  Json all = {{"tets", tets},
+              {"vertices", vertices},
+              {"faces", faces},
+              {"point", point},
+              {"point_exact", exact},
+              {"what", finding.what},
+              {"consequences", consequences}};
+  for (const auto& [first, last] : finding.tet_runs)
+    all["tet_runs"].push_back({numbering.tet(first), numbering.tet(last)});
+  return all;
 }
 
 Json json(const CheckResult& result, const Numbering& numbering) {
@@ -57,6 +60,12 @@ Json json(const CheckResult& result, const Numbering& numbering) {
           {"exact", info(result.check).all_exact}, {"count", result.count},
           {"consequences", result.consequences},   {"measured", or_null(result.measured)},
           {"allowed", or_null(result.allowed)},    {"findings", findings}};
+}
+
+Json json(const std::vector<CheckResult>& results, const Numbering& numbering) {
+  Json checks = Json::array();
+  for (const CheckResult& result : results) checks.push_back(json(result, numbering));
+  return checks;
 }
 
 Json json(const Shape& shape, bool is_mesh) {
@@ -80,8 +89,6 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 }  // namespace
 
 Json report_json_object(const Report& report, const Numbering& numbering) {
-  Json checks = Json::array();
-  for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
   Json regions = Json::array();
   for (const RegionAccount& region : report.regions) {
     regions.push_back({{"tag", region.tag}});
@@ -93,7 +100,7 @@ Json report_json_object(const Report& report, const Numbering& numbering) {
   Json all = {{"verdict", verdict_word(report)},
               {"certificate", or_null(report.certificate)},
               {"not_judged", not_judged},
-              {"checks", checks},
+              {"checks", json(report.checks, numbering)},
               {"mesh", json(report.mesh, true)},
               {"regions", regions},
               {"surface", report.surface ? json(*report.surface, false) : Json()},
@@ -118,6 +125,12 @@ Json report_json_object(const Report& report, const Numbering& numbering) {
                       {"solid_angles", json(q.solid_angles, q.tets)},
                       {"aspect_ratios", json(q.aspect_ratios, q.tets)}};
   }
+  for (const Consequence& meant : report.allowed)
+    all["allowed"].push_back({{"check", info(meant.check).id}, {"count", meant.count}});
+  if (report.if_mended)
+    all["if_mended"] = {{"how", report.if_mended->how},
+                        {"certificate", or_null(report.if_mended->certificate)},
+                        {"checks", json(report.if_mended->checks, numbering)}};
   all["notes"] = report.notes;
   if (!report.seconds.empty()) {
     Json seconds = Json::object();

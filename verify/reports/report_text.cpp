@@ -32,6 +32,7 @@ std::string report_text(const Report& report, const Numbering& numbering) {
       text += fmt::format(
           "undecided {}: measured {:.6g}, allowed {:.6g}, the difference is inside the stated error\n",
           info(result.check).id, result.measured.value_or(0), result.allowed.value_or(0));
+  text += if_mended_text(report, numbering);
 
   text += fmt::format("mesh      {}, {}, {}; boundary of {}\n", io::counted(report.mesh.tets, "tetrahedra"),
                       io::counted(report.mesh.points, "points"),

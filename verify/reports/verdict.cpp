@@ -10,6 +10,18 @@
 #include "verify/findings_text.hpp"
 
 namespace tetproof::verify {
+namespace {
+
+// " except for what is allowed: 12 crack": the certificate does not cover it.
+std::string allowed_text(const Report& report) {
+  std::string text;
+  for (const Consequence& meant : report.allowed)
+    text += fmt::format("{}{} {}", text.empty() ? " except for what is allowed (" : ", ", meant.count,
+                        info(meant.check).id);
+  return text.empty() ? text : text + ")";
+}
+
+}  // namespace
 
 bool defective(const Report& report) {
   return std::any_of(report.checks.begin(), report.checks.end(),
@@ -36,9 +48,10 @@ std::string verdict_text(const Report& report) {
   else if (!report.certificate || !*report.certificate)
     text += ": no certificate";
   else if (incomplete)
-    text += ": certified: " + io::counted(report.mesh.tets, "tetrahedra");
+    text += ": certified" + allowed_text(report) + ": " + io::counted(report.mesh.tets, "tetrahedra");
   else
-    text += ": certified, the tetrahedra are a valid triangulation of a solid";
+    text += ": certified" + (report.allowed.empty() ? ", " : allowed_text(report) + ": apart from that, ") +
+            "the tetrahedra are a valid triangulation of a solid";
   for (std::size_t i = 0; i < report.not_judged.size(); ++i)
     text += (i == 0 ? "; not judged: " : ", ") + not_judged_text(report.not_judged[i]);
   return text;

@@ -28,7 +28,7 @@ TEST(Truth, PairsOfTetrahedra) {
   struct Case {
     const char* name;
     TetMesh mesh;
-    std::size_t overlaps, touches, crossings;
+    std::size_t overlaps, touches, crossings, faces = 0;  // pairs whose faces touch
   };
   const double below = std::nextafter(1.0, 0.0), tiny = 0x1p-60;
   const std::vector<Case> cases{
@@ -50,8 +50,9 @@ TEST(Truth, PairsOfTetrahedra) {
        0, 1},
       {"edge short of an edge",
        corner({{1, 1, -1 - tiny}, {1, -1, below}, {1, -2, -2}, {2, -2, -2}}, {{4, 5, 6, 7}}), 0, 0, 0},
-      {"face in a face", corner({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}, {1, 1, -1}}, {{4, 5, 6, 7}}), 0, 3, 0},
-      {"face over a face", corner({{-1, 1, 0}, {1, -1, 0}, {1, 1, 0}, {1, 1, -1}}, {{4, 5, 6, 7}}), 0, 2, 1},
+      {"face in a face", corner({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}, {1, 1, -1}}, {{4, 5, 6, 7}}), 0, 3, 0, 1},
+      {"face over a face", corner({{-1, 1, 0}, {1, -1, 0}, {1, 1, 0}, {1, 1, -1}}, {{4, 5, 6, 7}}), 0, 2, 1,
+       1},
       {"faces of equal places", corner({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, -4}}, {{4, 5, 6, 7}}), 0, 6,
        0},
       {"common vertex, and its edge on a face", corner({{2, 2, 0}, {2, 0, -1}, {2, 1, -1}}, {{0, 4, 5, 6}}),
@@ -71,7 +72,24 @@ TEST(Truth, PairsOfTetrahedra) {
         EXPECT_EQ(found.overlaps.size(), c.overlaps);
         EXPECT_EQ(found.touches.size(), c.touches);
         EXPECT_EQ(found.crossings.size(), c.crossings);
+        EXPECT_EQ(found.touching_faces.size(), c.faces);
       }
+}
+
+TEST(Truth, OfCopiesAndShiftedNumbers) {
+  TetMesh mesh = corpus::block_mesh({2, 2, 1});
+  EXPECT_TRUE(truth(mesh).copies.empty());
+  EXPECT_EQ(truth(mesh).shift, 0);
+  const auto points = static_cast<Index>(mesh.points.size());
+  for (Index v = 0; v < points; ++v) mesh.points.push_back(mesh.points[static_cast<std::size_t>(v)]);
+  const auto& [a, b, c, d] = mesh.tets[3];
+  mesh.tets.push_back({c + points, b + points, a + points, d});
+  EXPECT_EQ(truth(mesh).copies, (std::vector<std::vector<Index>>{{3, 24}}));
+  EXPECT_TRUE(truth(mesh).duplicates.empty());
+  mesh.tets.pop_back();
+  for (auto& tet : mesh.tets)
+    for (Index& v : tet) v += 2;
+  EXPECT_EQ(truth(mesh).shift, 2);
 }
 
 TEST(Truth, OfSoundMeshes) {

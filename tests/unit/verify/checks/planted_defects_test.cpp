@@ -140,7 +140,7 @@ const std::vector<Case>& cases() {
          for (auto& t : m.tets) std::swap(t[0], t[1]);
        },
        {"inverted"},
-       {0},
+       {},  // of all of them: see whole_mesh_test.cpp
        {}},
       {"inner point pushed through a face",
        [](TetMesh& m) {
@@ -208,9 +208,9 @@ TEST(PlantedDefects, AreFoundAndNothingElse) {
 
 TEST(PlantedDefects, CountsAreFull) {
   TetMesh mesh = lattice_mesh({4, 4, 4});
-  for (auto& tet : mesh.tets) std::swap(tet[2], tet[3]);
+  for (std::size_t t = 0; t < 300; ++t) std::swap(mesh.tets[t][2], mesh.tets[t][3]);  // of 384
   const Report report = verify::verify(mesh);
-  EXPECT_EQ(report[Check::inverted].count, 384);
+  EXPECT_EQ(report[Check::inverted].count, 300);
   EXPECT_EQ(report[Check::inverted].findings.size(), 100u);
 }
 

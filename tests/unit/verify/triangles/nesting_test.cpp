@@ -53,7 +53,7 @@ TEST(Nesting, ConformingBlocksThatInterpenetrate) {
 
 TEST(Nesting, BlocksThatTouchWithoutSharingVertices) {
   const TetMesh mesh = together(lattice_mesh({2, 2, 2}), lattice_mesh({2, 2, 2}, {}, {2, 0.25, 0.25}));
-  EXPECT_EQ(roots(verify::verify(mesh)), Ids{"boundary-self-intersection"});
+  EXPECT_EQ(roots(verify::verify(mesh)), Ids{"non-conforming-interface"});
 }
 
 TEST(Nesting, BlockInsideBlockShouldBeACavity) {
