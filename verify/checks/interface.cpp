@@ -61,7 +61,7 @@ bool Interface::within(Index g, Index f) const {
   const Triangle& t = triangle(f);
   return std::all_of(triangle(g).begin(), triangle(g).end(), [&](Index v) {
     return std::find(t.begin(), t.end(), v) != t.end() ||
-           std::any_of(nodes.begin(), nodes.end(), [&](const Contact& c) { return c.vertex == v; });
+           std::binary_search(nodes.begin(), nodes.end(), Contact{v, f});
   });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -21,6 +22,16 @@ struct Box {
   double min_coord(int d) const { return low[static_cast<std::size_t>(d)]; }
   double max_coord(int d) const { return high[static_cast<std::size_t>(d)]; }
   ID id() const { return number; }
+
+  bool meets(const Box& other) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
+    return true;
+  }
+  void add(const Box& other) {
+    for (std::size_t k = 0; k < 3; ++k)
+      low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
+  }
 
   std::array<double, 3> low, high;
   ID number;

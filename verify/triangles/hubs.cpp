@@ -11,12 +11,12 @@
 // The searches only propose pairs. Slacks cover rounding and the near distance, so they lose none.
 #include "verify/triangles/hubs.hpp"
 
+#include <CGAL/box_intersection_d.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace tetproof::verify {
@@ -189,60 +189,60 @@ Hubs::Hubs(std::span<const Vector> points, std::span<const Triangle> triangles,
 void Hubs::candidates(const std::function<double(Index)>& room, Threads threads,
                       const std::function<void(Index, Index)>& report) const {
   if (!any_) return;
-  const Scaled scaled(points_, triangles_, excluded_);
-  const auto counts = [&](std::size_t t) { return excluded_.empty() || !excluded_[t]; };
-
-  // The box of all triangles at hubs: no other part of space matters.
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector low = Vector::Constant(infinity), high = -low;
-  const auto spread = [&](std::size_t t) { return scaled.length(room(static_cast<Index>(t))); };
   std::vector<std::pair<Index, Spoke>> at;  // hub, triangle
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const Triangle& v = triangles_[t];
-    if (!counts(t) || !at_hub(v)) continue;
-    const double slack = spread(t);
-    for (int k = 0; k < 3; ++k) {
-      low = low.cwiseMin(scaled[v[k]] - Vector::Constant(slack));
-      high = high.cwiseMax(scaled[v[k]] + Vector::Constant(slack));
+    if (!excluded_.empty() && excluded_[t]) continue;
+    for (int k = 0; k < 3; ++k)
       if (is_hub_[v[k]]) at.push_back({v[k], {static_cast<Index>(t), {v[(k + 1) % 3], v[(k + 2) % 3]}}});
-    }
   }
-  const Vector center = low + (high - low) / 2;
-  std::vector<Piece> pieces;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (!counts(t)) continue;
-    const Triangle& v = triangles_[t];
-    Piece piece{.corners = {scaled[v[0]], scaled[v[1]], scaled[v[2]]},
-                .slack = spread(t),
-                .owner = static_cast<Index>(t)};
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) {
-      const auto [least, most] = std::minmax({piece.corners[0][k], piece.corners[1][k], piece.corners[2][k]});
-      apart = apart || least - piece.slack > high[k] || most + piece.slack < low[k];
-    }
-    if (apart) continue;
-    double largest = 0;
-    for (int k = 0; k < 3; ++k) {
-      piece.corners[k] -= center;  // rounded, by 2^-53 of the result
-      largest = std::max(largest, piece.corners[k].cwiseAbs().maxCoeff());
-      if (is_hub_[v[k]]) piece.hubs[k] = v[k];
-    }
-    piece.slack = piece.slack * (1 + 0x1p-40) + 2 * rounding_of_pieces * largest + smallest_length;
-    pieces.push_back(piece);
-  }
-  near_pieces(pieces, Compare::pairs_with_hub, threads, report);
-
   std::stable_sort(at.begin(), at.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < at.size(); ++i)
     if (i == 0 || at[i].first != at[i - 1].first) starts.push_back(i);
   starts.push_back(at.size());
+
+  const auto enlarged = [&](Index t) {
+    Box box = box_of(points_, triangles_[t], static_cast<std::size_t>(t));
+    for (int k = 0; k < 3; ++k) box.low[k] -= room(t), box.high[k] += room(t);
+    return box;
+  };
+  std::vector<Box> around;  // each hub: the box of all its triangles
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+    around.push_back(enlarged(at[starts[i]].second.triangle));
+    around.back().number = triangles_.size() + i;
+    for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
+      around.back().add(enlarged(at[k].second.triangle));
+  }
+
+  const Scaled scaled(points_, triangles_, excluded_);
+  const auto spread = [&](Index t) { return scaled.length(room(t)); };
+  const std::vector<Index> close = triangles_in(around, enlarged);
+  Vector low = scaled[triangles_[close[0]][0]], high = low;
+  for (const Index t : close)
+    for (const Index v : triangles_[t]) low = low.cwiseMin(scaled[v]), high = high.cwiseMax(scaled[v]);
+  const Vector center = low + (high - low) / 2;
+  std::vector<Piece> pieces;
+  for (const Index t : close) {
+    Piece piece{.owner = t};
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Index v = triangles_[t][k];
+      piece.corners[k] = scaled[v] - center;  // rounded, by 2^-53 of the result
+      largest = std::max(largest, piece.corners[k].cwiseAbs().maxCoeff());
+      if (is_hub_[v]) piece.hubs[k] = v;
+    }
+    piece.slack = spread(t) * (1 + 0x1p-40) + 2 * rounding_of_pieces * largest + smallest_length;
+    pieces.push_back(piece);
+  }
+  near_pieces(pieces, Compare::pairs_with_hub, threads, report);
+
   const auto search = [&](std::size_t i) {
     std::vector<Spoke> spokes;
     double widest = 0;
     for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) {
       spokes.push_back(at[k].second);
-      widest = std::max(widest, spread(static_cast<std::size_t>(at[k].second.triangle)));
+      widest = std::max(widest, spread(at[k].second.triangle));
     }
     search_hub(scaled, at[starts[i]].first, spokes, most_, 2 * widest, threads, report);
   };
@@ -250,6 +250,28 @@ void Hubs::candidates(const std::function<double(Index)>& room, Threads threads,
     tbb::parallel_for(std::size_t{0}, starts.size() - 1, search);
   else
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) search(i);
+}
+
+// The triangles at hubs, and those whose boxes meet one of `around`; ascending.
+std::vector<Index> Hubs::triangles_in(std::vector<Box> around, const std::function<Box(Index)>& box) const {
+  Box all = around[0];
+  for (const Box& one : around) all.add(one);
+  std::vector<Box> others;
+  std::vector<Index> found;
+  for (Index t = 0; t < static_cast<Index>(triangles_.size()); ++t) {
+    if (!excluded_.empty() && excluded_[t]) continue;
+    if (at_hub(triangles_[t]))
+      found.push_back(t);
+    else if (const Box other = box(t); other.meets(all))
+      others.push_back(other);
+  }
+  std::vector<std::uint8_t> inside(triangles_.size(), 0);
+  CGAL::box_intersection_d(around.begin(), around.end(), others.begin(), others.end(),
+                           [&](const Box&, const Box& other) { inside[other.number] = 1; });
+  for (std::size_t t = 0; t < inside.size(); ++t)
+    if (inside[t]) found.push_back(static_cast<Index>(t));
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace tetproof::verify

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "verify/triangles/box.hpp"
 #include "verify/triangles/edges.hpp"
 #include "verify/triangles/near_pieces.hpp"
 
@@ -38,6 +39,8 @@ class Hubs {
                   const std::function<void(Index, Index)>& report) const;
 
  private:
+  std::vector<Index> triangles_in(std::vector<Box> around, const std::function<Box(Index)>& box) const;
+
   std::span<const Eigen::Vector3d> points_;
   std::span<const Triangle> triangles_;
   std::span<const std::uint8_t> excluded_;

@@ -60,12 +60,6 @@ Slabs make_slabs(const std::vector<Box>& boxes) {
   return slabs;
 }
 
-bool meet(const Box& x, const Box& y) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (x.low[axis] > y.high[axis] || y.low[axis] > x.high[axis]) return false;
-  return true;
-}
-
 // Finds some of very many pairs that meet, at least one; which ones does not depend on the threads. Takes
 // pairs at hubs first. Then compares each of the other triangles with those before it, until there are enough
 // pairs or too many comparisons.
@@ -97,7 +91,7 @@ std::vector<std::array<Index, 2>> some_pairs(std::span<const Eigen::Vector3d> po
        i < boxes.size() && pairs.size() < enough && (pairs.empty() || compared < most_compared); ++i) {
     compared += i;
     for (std::size_t k = 0; k < i && pairs.size() < enough; ++k)
-      if (meet(boxes[k], boxes[i]))
+      if (boxes[k].meets(boxes[i]))
         add_if_meeting(static_cast<Index>(boxes[k].number), static_cast<Index>(boxes[i].number));
   }
   std::sort(pairs.begin(), pairs.end());
@@ -174,7 +168,7 @@ void search_hubs(const Hubs& hubs, const std::function<Box(Index)>& box,
   try {
     hubs.candidates(room, Threads::all, [&](Index s, Index t) {
       const Box x = box(s), y = box(t);
-      if (meet(x, y) && decider.finds(x, y)) distinct.add(s, t);
+      if (x.meets(y) && decider.finds(x, y)) distinct.add(s, t);
     });
   } catch (const TooManyPairs&) {  // deciding those that were found will count too many
   }

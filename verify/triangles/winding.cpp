@@ -2,6 +2,7 @@
 #include "verify/triangles/winding.hpp"
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 #include <CGAL/box_intersection_d.h>
 #include <Eigen/Geometry>
@@ -12,9 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "verify/triangles/box.hpp"
+#include "verify/triangles/chunks.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -91,6 +94,39 @@ int crossing(std::span<const Eigen::Vector3d> points, const Triangle& t, const R
   return ahead > 0 ? facing * ray.direction : 0;
 }
 
+// As `crossing`, in interval arithmetic; nothing if a sign is not certain. The rounding mode must be upwards.
+// Intervals cover what over- and underflows.
+std::optional<int> sure_crossing(std::span<const Eigen::Vector3d> points, const Triangle& t, const Ray& ray) {
+  using Interval = CGAL::Interval_nt<false>;
+  std::array<Interval, 3> origin;
+  for (int k = 0; k < 3; ++k) origin[k] = Interval(CGAL::to_interval(ray.origin[k]));
+  const auto corner = [&](int n, int k) { return Interval(points[t[n % 3]][k]); };
+  const auto from = [&](int n, int k) { return origin[k] - Interval(3) * corner(n, k); };
+  const int i = (ray.axis + 1) % 3, j = (ray.axis + 2) % 3;
+  bool left = true, right = true;
+  int certain = 0;
+  for (int n = 0; n < 3; ++n) {
+    const auto sign = CGAL::sign((corner(n + 1, i) - corner(n, i)) * from(n, j) -
+                                 (corner(n + 1, j) - corner(n, j)) * from(n, i));
+    if (!sign.is_certain() || sign.inf() == CGAL::ZERO) continue;
+    ++certain;
+    (sign.inf() == CGAL::POSITIVE ? right : left) = false;
+  }
+  if (!left && !right) return 0;
+  if (certain < 3) return std::nullopt;
+  Interval height = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    height += ((corner(1, u) - corner(0, u)) * (corner(2, v) - corner(0, v)) -
+               (corner(1, v) - corner(0, v)) * (corner(2, u) - corner(0, u))) *
+              from(0, k);
+  }
+  const auto above = CGAL::sign(height);
+  if (!above.is_certain()) return std::nullopt;
+  const int facing = left ? 1 : -1;
+  return -static_cast<int>(above.inf()) * facing * ray.direction > 0 ? facing * ray.direction : 0;
+}
+
 // A box around the ray: an enclosure of its origin, infinite in its direction.
 Box box_of(const Ray& ray, std::size_t number) {
   Box box{{}, {}, number};
@@ -127,14 +163,43 @@ std::vector<std::vector<Crossing>> cast_rays(std::span<const Eigen::Vector3d> po
     if (near) triangle_boxes.push_back(box);
   }
   std::vector<std::vector<Crossing>> crossings(rays.size());
-  CGAL::box_intersection_d(ray_boxes.begin(), ray_boxes.end(), triangle_boxes.begin(), triangle_boxes.end(),
-                           [&](const Box& r, const Box& t) {
-                             const std::size_t i = r.number - triangles.size();
-                             const auto triangle = static_cast<Index>(t.number);
-                             if (triangle == rays[i].start) return;
-                             if (const int sign = crossing(points, triangles[t.number], rays[i]))
-                               crossings[i].push_back({triangle, sign});
-                           });
+  struct Candidate {
+    std::size_t ray;
+    Index triangle;
+    int sign = 0;
+  };
+  constexpr std::size_t most_candidates = std::size_t{1} << 20, piece = 1024;
+  std::vector<Candidate> candidates;
+  const auto decide = [&] {
+    const auto crossed = collect_in_order<Candidate>(
+        candidates.size(), piece, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& found) {
+          std::vector<Candidate> unsure;
+          const auto add = [&](Candidate c, int sign) {
+            c.sign = sign;
+            if (sign != 0 && c.triangle != rays[c.ray].start) found.push_back(c);
+          };
+          {
+            const CGAL::Protect_FPU_rounding<true> upwards;
+            for (std::size_t k = begin; k < end; ++k) {
+              const Candidate& c = candidates[k];
+              if (const auto sign = sure_crossing(points, triangles[c.triangle], rays[c.ray]))
+                add(c, *sign);
+              else
+                unsure.push_back(c);
+            }
+          }
+          for (const Candidate& c : unsure) add(c, crossing(points, triangles[c.triangle], rays[c.ray]));
+        });
+    for (const Candidate& c : crossed) crossings[c.ray].push_back({c.triangle, c.sign});
+    candidates.clear();
+  };
+  CGAL::box_intersection_d(
+      ray_boxes.begin(), ray_boxes.end(), triangle_boxes.begin(), triangle_boxes.end(),
+      [&](const Box& r, const Box& t) {
+        candidates.push_back({r.number - triangles.size(), static_cast<Index>(t.number)});
+        if (candidates.size() == most_candidates) decide();
+      });
+  decide();
   for (auto& list : crossings)
     std::sort(list.begin(), list.end(),
               [](const Crossing& a, const Crossing& b) { return a.triangle < b.triangle; });
