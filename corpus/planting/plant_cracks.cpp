@@ -173,7 +173,7 @@ std::vector<PlantKind> crack_kinds() {
       {.id = "crack-opened-by-one-unit",
        .flags = {"cracks", "rounding", "whole"},
        .needed = {"non-conforming-interface", "boundary-self-intersection", "overlap", "near-contact"},
-       .also = {"inverted", "flat", "hanging-node", "crossed-diagonal"},
+       .also = {"inverted", "flat", "hanging-node", "crossed-diagonal", "cavity"},
        .comment = "the mesh is cut in two parts, and the cut is opened by one unit in the last place",
        .mutate = opened},
       {.id = "crack-opened-at-vertex",
