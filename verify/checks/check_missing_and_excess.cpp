@@ -66,6 +66,15 @@ Finding finding_of(const VoxelRegion& region, double voxel_volume, const char* i
   return finding;
 }
 
+bool can_lay(Check check, const Comparison& c, const TriangleSurface& mesh) {
+  try {
+    lattice_for(check, c, mesh);
+    return true;
+  } catch (const VoxelRangeError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvidence& distances,
@@ -96,6 +105,8 @@ RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvide
       if (!made || !(made->lattice == lattice))
         made.emplace(voxelise(c, lattice, mesh, outer, surface_voxels));
     } catch (const VoxelRangeError& error) {
+      const bool none_ran = check == Check::missing_region || !record.wants(Check::missing_region);
+      if (none_ran && !can_lay(Check::excess_region, c, mesh)) throw;  // both are named in one line
       record.could_not_run({check}, error.what());
       record.report.notes.push_back(fmt::format("{} was not looked for: {}", info(check).id, error.what()));
       continue;
