@@ -13,7 +13,7 @@ namespace tetproof::verify {
 
 struct HausdorffOptions {
   /// Wanted width of the interval [length]. Doubles cannot reach a width below about 1e-14 of the diagonal of
-  /// the box around both sets.
+  /// the box around both sets; where triangles must be cut often, below 1e-12.
   double error = 0;
   /// The interval is also narrowed until it is no wider than this share of its upper end, within the limit
   /// `most_pieces`. So a distance far below `error` is known, too. 0: `error` is enough.

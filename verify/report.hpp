@@ -146,8 +146,10 @@ struct Distribution {
   std::vector<std::int64_t> counts{};
 };
 
-/// Measured in double arithmetic. Angles have an absolute error of some 1e-15 radians. The error is larger in
-/// nearly flat tetrahedra, because the differences of their coordinates are rounded.
+/// Dihedral angles and aspect ratios have a relative error below 2e-11, at every scale and however flat the
+/// tetrahedron: where doubles would lose more, volume and normals are computed exactly. So do solid angles,
+/// except at a vertex whose edges to two others are nearly opposite: if the three angles between its edges
+/// are a, b, c, add 1e-14 / (1 + cos a + cos b + cos c).
 struct Quality {
   std::int64_t tets = 0;         ///< tetrahedra that were measured: those of positive volume
   Distribution dihedral_angles;  ///< [degrees], six a tetrahedron

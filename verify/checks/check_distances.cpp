@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the distances between a mesh's boundary and a surface, and checks them.
 #include <fmt/core.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -35,27 +36,49 @@ void find_off_vertices(const Comparison& c, DistanceEvidence& evidence) {
   }
   std::sort(vertices.begin(), vertices.end());
   const double allowed = c.allowed / tree.units().scale;
+  // Far from the surface all its triangles are nearly as far, and the nearest takes long to find. A
+  // thousandth of the distance is close enough to put the vertices in order; the first ones are measured
+  // again.
+  constexpr double share = 1e-3;
+  constexpr std::size_t measured_again = 64;
+  const auto at_least = [&](double distance) { return (distance - distance_slack) * tree.units().scale; };
   // A vertex that is undecided is collected with a negative distance.
   std::vector<OffVertex> found = collect_in_order<OffVertex>(
       vertices.size(), 1024, [&](std::size_t begin, std::size_t end, std::vector<OffVertex>& off) {
         for (std::size_t i = begin; i < end; ++i) {
           const auto& [v, face] = vertices[i];
-          const Point& p = points[static_cast<std::size_t>(v)];
+          const Point p = tree.units().to(points[static_cast<std::size_t>(v)]);
           const Index guess = evidence.nearest_triangle.empty() ? -1 : evidence.nearest_triangle[face];
-          const TriangleTree::Nearest nearest =
-              tree.nearest(tree.units().to(p), guess, std::max(0.0, allowed - distance_slack));
+          const double enough = std::max(0.0, allowed - distance_slack);
+          if (guess >= 0 && tree.frame(guess).squared_distance(p) <= enough * enough) continue;
+          TriangleTree::Nearest nearest = tree.nearest_within(p, allowed + distance_slack, guess);
+          if (nearest.triangle < 0) {
+            nearest = tree.nearest(p, guess, -1, share);
+            off.push_back({v, at_least(std::sqrt(nearest.squared) * (1 - share)), nearest.triangle});
+            continue;
+          }
           const double distance = std::sqrt(nearest.squared);
           if (distance + distance_slack <= allowed) continue;
-          if (distance < 2 * distance_slack && exactly_on(p, tree.set(), nearest.triangle)) continue;
-          const bool sure = distance - distance_slack > allowed;
-          off.push_back({v, sure ? (distance - distance_slack) * tree.units().scale : -1, nearest.triangle});
+          if (distance < 2 * distance_slack &&
+              exactly_on(points[static_cast<std::size_t>(v)], tree.set(), nearest.triangle))
+            continue;
+          off.push_back({v, distance - distance_slack > allowed ? at_least(distance) : -1, nearest.triangle});
         }
       });
   evidence.undecided_vertices =
       std::any_of(found.begin(), found.end(), [](const OffVertex& o) { return o.distance < 0; });
   std::erase_if(found, [](const OffVertex& o) { return o.distance < 0; });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const OffVertex& a, const OffVertex& b) { return a.distance > b.distance; });
+  const auto farther = [](const OffVertex& a, const OffVertex& b) { return a.distance > b.distance; };
+  std::stable_sort(found.begin(), found.end(), farther);
+  const std::size_t first = std::min(found.size(), measured_again);
+  tbb::parallel_for(std::size_t{0}, first, [&](std::size_t i) {
+    OffVertex& o = found[i];
+    const Point p = tree.units().to(points[static_cast<std::size_t>(o.vertex)]);
+    const TriangleTree::Nearest nearest = tree.nearest(p, o.nearest);
+    o.nearest = nearest.triangle;
+    o.distance = std::max(o.distance, at_least(std::sqrt(nearest.squared)));
+  });
+  std::stable_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(first), farther);
   evidence.off_vertices = std::move(found);
 }
 
@@ -141,7 +164,9 @@ DistanceEvidence measure_distances(const Comparison& c, Record& record) {
                   .most_pieces = 2'000'000 + 30 * static_cast<std::int64_t>(c.mesh_tree->size() +
                                                                             c.surface_tree->size())},
       .allowed = c.allowed,
-      .only_decide = options.coarse};
+      .only_decide = options.coarse,
+      .far_share = 1e-3,
+      .nearest_within = c.allowed};
   Fidelity& fidelity = record.report.fidelity.emplace();
   fidelity.allowed = c.allowed;
   if (to_surface && !c.faces.empty()) {

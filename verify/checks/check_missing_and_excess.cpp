@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "verify/checks/surface_comparison.hpp"
 #include "verify/mesh/tets_at.hpp"
@@ -17,14 +18,6 @@ TriangleSurface surface_of(const TetMesh& mesh, std::vector<Triangle> triangles)
   return {.vertices = mesh.points, .triangles = std::move(triangles), .parameters = {}, .evaluate = {}};
 }
 
-VoxelLattice lattice_of_both(const TriangleSurface& surface, TriangleSurface mesh, int voxels) {
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), surface.vertices.begin(), surface.vertices.end());
-  for (const Triangle& t : surface.triangles)
-    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  return lay_voxels(mesh, voxels);
-}
-
 // Mesh and surface in one lattice.
 struct Voxels {
   VoxelLattice lattice;
@@ -33,12 +26,11 @@ struct Voxels {
 };
 
 // `mesh`: all faces that do not cancel. A point is in an odd number of tetrahedra if it is so in these faces.
-// `outer`: those that are the mesh's own outer boundary. `own`: the surface in its own lattice, or null.
-// Where that is the lattice of both, its voxels are not made again.
-Voxels voxelise(const Comparison& c, const TriangleSurface& mesh, const std::vector<Triangle>& outer,
-                const SurfaceVoxels* own) {
+// `outer`: those that are the mesh's own outer boundary. `own`: the surface in its own lattice, or null;
+// where that is this lattice, its voxels are not made again.
+Voxels voxelise(const Comparison& c, const VoxelLattice& lattice, const TriangleSurface& mesh,
+                const std::vector<Triangle>& outer, const SurfaceVoxels* own) {
   const Options& options = c.judged_mesh.options;
-  const VoxelLattice lattice = lattice_of_both(c.surface, mesh, options.voxels);
   if (own && !(own->lattice == lattice)) own = nullptr;
   VoxelBits wanted = own ? own->inside : inside_voxels(c.surface, lattice);
   if (options.region == Region::outside)
@@ -55,6 +47,13 @@ Voxels voxelise(const Comparison& c, const TriangleSurface& mesh, const std::vec
           }};
 }
 
+// The lattice lies over all that can lack the mesh, or be too much, and over no more. So it resolves that,
+// even if the other of mesh and surface is a thousand times as large, or far away: units were mixed up, say.
+VoxelLattice lattice_for(Check check, const Comparison& c, const TriangleSurface& mesh) {
+  const bool in_surface = check == Check::missing_region && c.judged_mesh.options.region == Region::inside;
+  return lay_voxels(in_surface || mesh.triangles.empty() ? c.surface : mesh, c.judged_mesh.options.voxels);
+}
+
 // A region, before its deepest point is confirmed.
 Finding finding_of(const VoxelRegion& region, double voxel_volume, const char* is, const char* from) {
   Finding finding{.point = region.deepest};
@@ -65,6 +64,15 @@ Finding finding_of(const VoxelRegion& region, double voxel_volume, const char* i
       static_cast<double>(region.unsure) * voxel_volume, is,
       region.nearest < 0 ? "infinitely far" : fmt::format("{:.6g}", region.depth), from);
   return finding;
+}
+
+bool can_lay(Check check, const Comparison& c, const TriangleSurface& mesh) {
+  try {
+    lattice_for(check, c, mesh);
+    return true;
+  } catch (const VoxelRangeError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -79,8 +87,6 @@ RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvide
     if (const Index sheet = judged.boundary.sheets.of_triangle[i]; sheet >= 0 && own[sheet])
       outer.push_back(boundary[i]);
   const TriangleSurface mesh = surface_of(judged.mesh, judged.boundary.triangles);
-  const Voxels voxels = voxelise(c, mesh, outer, surface_voxels);
-  const double voxel_volume = voxels.lattice.h * voxels.lattice.h * voxels.lattice.h;
   // Depth in what is missing is the distance from the mesh, its own outer boundary included.
   std::optional<TriangleTree> whole_boundary;
   if (!outer.empty()) whole_boundary.emplace(TriangleSet{judged.mesh.points, boundary}, c.mesh_tree->units());
@@ -91,8 +97,22 @@ RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvide
     off.push_back(judged.mesh.points[static_cast<std::size_t>(o.vertex)]);
   RegionEvidence evidence;
   evidence.at_off_vertex.assign(off.size(), std::nullopt);
+  std::optional<Voxels> made;
   for (const Check check : {Check::missing_region, Check::excess_region}) {
     if (!record.wants(check)) continue;
+    try {
+      const VoxelLattice lattice = lattice_for(check, c, mesh);
+      if (!made || !(made->lattice == lattice))
+        made.emplace(voxelise(c, lattice, mesh, outer, surface_voxels));
+    } catch (const VoxelRangeError& error) {
+      const bool none_ran = check == Check::missing_region || !record.wants(Check::missing_region);
+      if (none_ran && !can_lay(Check::excess_region, c, mesh)) throw;  // both are named in one line
+      record.could_not_run({check}, error.what());
+      record.report.notes.push_back(fmt::format("{} was not looked for: {}", info(check).id, error.what()));
+      continue;
+    }
+    const Voxels& voxels = *made;
+    const double voxel_volume = voxels.lattice.h * voxels.lattice.h * voxels.lattice.h;
     const bool missing = check == Check::missing_region;
     const DeepVoxels deep =
         deep_voxels(voxels.lattice,

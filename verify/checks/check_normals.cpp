@@ -14,12 +14,21 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-double angle_between(const Point& m, const Point& n) {
-  return std::atan2(m.cross(n).norm(), m.dot(n)) * 180 / std::numbers::pi;
+// The normal of a triangle, of length 1; 0 if the triangle has no area. Scaled by a power of two first, so
+// that no product under- or overflows.
+Point normal(std::span<const Point> points, const Triangle& t) {
+  // Halved, so that the difference of two finite doubles is finite.
+  Point a = points[t[1]] / 2 - points[t[0]] / 2, b = points[t[2]] / 2 - points[t[0]] / 2;
+  const double largest = std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+  if (!(largest > 0)) return Point::Zero();
+  const int exponent = std::ilogb(largest);
+  for (Point* side : {&a, &b})
+    for (double& x : *side) x = std::scalbn(x, -exponent);
+  return a.cross(b).stableNormalized();
 }
 
-Point normal(std::span<const Point> points, const Triangle& t) {
-  return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+double angle_between(const Point& m, const Point& n) {
+  return std::atan2(m.cross(n).norm(), m.dot(n)) * 180 / std::numbers::pi;
 }
 
 }  // namespace
@@ -44,6 +53,8 @@ void check_normals(const Comparison& c, const DistanceEvidence& distances, Recor
   const std::vector<Turned> turned = collect_in_order<Turned>(
       c.faces.size(), 1024, [&](std::size_t begin, std::size_t end, std::vector<Turned>& found) {
         for (std::size_t f = begin; f < end; ++f) {
+          // No triangle is as near as allowed: no direction is wrong here; the distances see the face.
+          if (distances.nearest_triangle[f] < 0) continue;
           const Point m = normal(points, c.faces[f]);
           const Point n = surface_normal(distances.nearest_triangle[f]);
           if (!(m.squaredNorm() > 0) || !(n.squaredNorm() > 0)) continue;
@@ -56,7 +67,7 @@ void check_normals(const Comparison& c, const DistanceEvidence& distances, Recor
               tree.for_each_within((corners[0] + corners[1] + corners[2]) / 3, reach, [&](Index t) {
                 const Point other = surface_normal(t);
                 any = true;
-                return m.dot(other) < -1e-14 * m.norm() * other.norm();
+                return m.dot(other) < -1e-14 * other.norm();
               });
           if (all && any) found.push_back({c.at_face(static_cast<Index>(f)), angle});
         }

@@ -45,10 +45,12 @@ struct OffVertex {
 
 /// The distances between boundary and surface.
 struct DistanceEvidence {
-  /// For each face the surface's triangle that is nearest to its centroid; empty if it was not searched for.
+  /// For each face the surface's triangle that is nearest to its centroid, -1 if none is as near as allowed;
+  /// empty if it was not searched for.
   std::vector<Index> nearest_triangle;
   std::optional<DirectedDistance> to_surface, to_mesh;
-  std::vector<OffVertex> off_vertices;  ///< the farthest first
+  /// The farthest first. Only of the first 64 is the distance exact; the others may be a thousandth farther.
+  std::vector<OffVertex> off_vertices;
   bool undecided_vertices = false;  ///< some vertices are within the rounding error of the allowed distance
 };
 /// bounding-box.

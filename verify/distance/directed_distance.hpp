@@ -3,6 +3,7 @@
 // question, and the nearest triangle of each triangle. Internal; the public header is verify/hausdorff.hpp.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,9 +20,13 @@ struct DistanceQuestion {
   /// With `allowed`: decide, and do nothing else. The interval may then be as wide as `allowed`. Its lower
   /// end comes from every eighth triangle of A and from the triangles that the decision needed.
   bool only_decide = false;
+  /// With `allowed`: once the distance is known to be larger than allowed, the interval may be as wide as
+  /// this share of it, even where that is more than `options.error`.
+  double far_share = 0;
   /// If not null and not `only_decide`: receives, for each triangle of A, a triangle of B nearest to its
-  /// centroid.
+  /// centroid; -1 if none is within `nearest_within` [length] of it.
   std::vector<Index>* nearest = nullptr;
+  double nearest_within = std::numeric_limits<double>::infinity();
 };
 
 /// Both trees must have the same units.

@@ -18,28 +18,44 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-constexpr std::size_t chunk = 256;  // triangles of A; each chunk starts without a guess
+constexpr std::size_t chunk = 256;  // triangles of A; in each chunk the first has no guess
 
-// The bounds that one query to the tree gives for a triangle of A. If the guessed triangle of B is within
-// `enough`, no query is made.
-struct First {
-  double lower, upper;
-  Index nearest;
+// How closely a triangle of A is looked at first.
+struct Look {
+  double within;  // [units] the nearest triangle of B is wanted if it is as near as this; negative: never
+  double enough;  // [units] if the guessed triangle of B is as near as this, no other is searched for
+  double share;   // a triangle of B that is nearer by this share of the distance may be missed
 };
 
-First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess, double enough) {
+// The bounds that the first look gives for a triangle of A.
+struct First {
+  double lower, upper;
+  Index close;      // the triangle of B that gives `upper`
+  bool is_nearest;  // `close` is within `Look::within`, and no other is nearer
+};
+
+First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index guess, const Look& look) {
   const std::array<Point, 3> corners = a.corners(t);
-  if (guess >= 0) {
+  const Point middle = (corners[0] + corners[1] + corners[2]) / 3;
+  const auto farthest = [&](Index triangle) {
     double squared = 0;
-    for (const Point& p : corners) squared = std::max(squared, b.frame(guess).squared_distance(p));
-    if (const double upper = std::sqrt(squared) + distance_slack; upper <= enough) return {0, upper, guess};
+    for (const Point& p : corners) squared = std::max(squared, b.frame(triangle).squared_distance(p));
+    return squared;
+  };
+  TriangleTree::Nearest nearest;
+  if (look.within >= 0) nearest = b.nearest_within(middle, look.within, guess);
+  const bool is_nearest = nearest.triangle >= 0;
+  double lower_share = 1;
+  if (!is_nearest) {
+    if (guess >= 0)
+      if (const double upper = std::sqrt(farthest(guess)) + distance_slack; upper <= look.enough)
+        return {0, upper, guess, false};
+    nearest = b.nearest(middle, guess, -1, look.share);
+    lower_share -= look.share;
   }
-  const TriangleTree::Nearest nearest = b.nearest((corners[0] + corners[1] + corners[2]) / 3, guess);
-  const TriangleFrame& frame = b.frame(nearest.triangle);
-  double squared = 0;
-  for (const Point& p : corners) squared = std::max(squared, frame.squared_distance(p));
-  First first{std::max(0.0, std::sqrt(nearest.squared) - distance_slack), std::sqrt(squared) + distance_slack,
-              nearest.triangle};
+  const double squared = farthest(nearest.triangle);
+  First first{std::max(0.0, std::sqrt(nearest.squared) * lower_share - distance_slack),
+              std::sqrt(squared) + distance_slack, nearest.triangle, is_nearest};
   if (squared < 1e-28) {  // the triangle may lie exactly on the nearest one
     const auto points = [](const TriangleSet& set, Index triangle) {
       const Triangle& v = set.triangles[static_cast<std::size_t>(triangle)];
@@ -50,6 +66,39 @@ First first_look(const TriangleTree& a, const TriangleTree& b, Index t, Index gu
       return p == other[0] || p == other[1] || p == other[2] || on_triangle(p, other);
     });
     if (on) first.upper = first.lower = 0;
+  }
+  return first;
+}
+
+// Triangles of A are looked at in three steps, and the largest distance that a step finds saves most
+// triangles of the next their search: far from B a search is expensive, and the bound from the guess is below
+// that distance and the error. `wanted.error` grows where the question allows it.
+std::vector<First> look_at_all(const TriangleTree& a, const TriangleTree& b, const DistanceQuestion& question,
+                               Wanted& wanted) {
+  constexpr std::array<std::size_t, 3> every{512, 8, 1};
+  const auto step_of = [&](std::size_t t) { return t % every[0] == 0 ? 0 : t % every[1] == 0 ? 1 : 2; };
+  std::vector<First> first(a.size());
+  Look how{.within = -1, .enough = -1, .share = 0};
+  if (question.nearest && !question.only_decide)
+    how.within = question.nearest_within / a.units().scale + distance_slack;
+  double known = 0;
+  for (int step = 0; step < 3; ++step) {
+    if (known > wanted.error) {
+      how.enough = known + wanted.error;
+      how.share = wanted.share(known);
+    }
+    if (step == 2) how.enough = std::max(how.enough, wanted.accepted);
+    tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
+      Index guess = -1;
+      for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
+        if (step_of(t) == step) first[t] = first_look(a, b, static_cast<Index>(t), guess, how);
+        if (step_of(t) <= step) guess = first[t].close;
+      }
+    });
+    for (std::size_t t = 0; t < a.size(); t += every[static_cast<std::size_t>(step)])
+      known = std::max(known, first[t].lower);
+    if (question.allowed && known * a.units().scale > *question.allowed)
+      wanted.error = std::max(wanted.error, question.far_share * known);
   }
   return first;
 }
@@ -75,49 +124,36 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
     result.lower = result.upper = INFINITY;
     return result;
   }
+  const HausdorffOptions& options = question.options;
   const double scale = a.units().scale;
   const double least_error = 4 * distance_slack;
-  double error = std::max(question.options.error / scale, least_error);
-  const double accepted = question.only_decide ? question.allowed.value() / scale : 0;
-
-  // Every eighth triangle comes first. The lower bound that they find saves most of the others their query:
-  // where the sets are far apart a query is expensive, and the bound from the guess is below the largest
-  // known distance.
-  std::vector<First> first(a.size());
-  const auto look = [&](bool samples, double enough) {
-    tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
-      Index guess = -1;
-      for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
-        const bool sample = t % 8 == 0;
-        if (sample == samples) first[t] = first_look(a, b, static_cast<Index>(t), guess, enough);
-        if (sample || !samples) guess = first[t].nearest;
-      }
-    });
-  };
-  look(true, -1);
-  double known = 0;
-  for (std::size_t t = 0; t < a.size(); t += 8) known = std::max(known, first[t].lower);
+  Wanted wanted{.error = std::max(options.error / scale, least_error),
+                .relative = 0,
+                .accepted = question.only_decide ? question.allowed.value() / scale : 0};
   const bool all_nearest = question.nearest && !question.only_decide;
-  look(false, all_nearest ? -1 : std::max(known > error ? known + error : -1, accepted));
+  const std::vector<First> first_looks = look_at_all(a, b, question, wanted);
+  std::vector<double> upper_of(a.size());
   result.pieces = static_cast<std::int64_t>(a.size());
   double lower = -1;
   Point point = Point::Zero();
   for (std::size_t t = 0; t < a.size(); ++t) {
-    if (question.nearest) (*question.nearest)[t] = first[t].nearest;
-    if (first[t].lower <= lower) continue;
+    const First& first = first_looks[t];
+    if (all_nearest) (*question.nearest)[t] = first.is_nearest ? first.close : -1;
+    upper_of[t] = first.upper;
+    if (first.lower <= lower) continue;
     const std::array<Point, 3> corners = a.corners(static_cast<Index>(t));
-    lower = first[t].lower;
+    lower = first.lower;
     point = (corners[0] + corners[1] + corners[2]) / 3;
     result.triangle = static_cast<Index>(t);
-    result.nearest = first[t].nearest;
+    result.nearest = first.close;
   }
 
   for (;;) {
     std::vector<PieceWork> works;
     for (std::size_t t = 0; t < a.size(); ++t) {
-      if (first[t].upper <= std::max(lower + error, accepted)) continue;
+      if (upper_of[t] <= wanted.bound(lower, 0)) continue;
       PieceWork work{.triangle = static_cast<Index>(t), .lower = lower};
-      Piece piece{.guess = first[t].nearest};
+      Piece piece{.guess = first_looks[t].close};
       for (const Point& p : a.corners(static_cast<Index>(t))) piece.add(p);
       work.pieces.push_back(piece);
       works.push_back(std::move(work));
@@ -126,9 +162,8 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
     // of the threads. A triangle that needs much work waits until the others have had their turn.
     std::vector<std::size_t> open(works.size());
     for (std::size_t i = 0; i < works.size(); ++i) open[i] = i;
-    for (std::int64_t budget = 8; !open.empty() && result.pieces < question.options.most_pieces;
-         budget *= 4) {
-      const PieceSearch search(b, lower, error, accepted);
+    for (std::int64_t budget = 8; !open.empty() && result.pieces < options.most_pieces; budget *= 4) {
+      const PieceSearch search(b, lower, wanted);
       const std::size_t part = budget > 1000 ? 1 : 32;
       tbb::parallel_for(std::size_t{0}, (open.size() + part - 1) / part, [&](std::size_t c) {
         for (std::size_t i = c * part; i < std::min(open.size(), (c + 1) * part); ++i) {
@@ -151,21 +186,27 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
       open = std::move(left);
     }
     for (const PieceWork& work : works)
-      if (work.pieces.empty())
-        first[static_cast<std::size_t>(work.triangle)].upper =
-            std::min(first[static_cast<std::size_t>(work.triangle)].upper, work.upper);
+      if (double& upper = upper_of[static_cast<std::size_t>(work.triangle)]; work.pieces.empty())
+        upper = std::min(upper, work.upper);
     double upper = lower;
-    for (const First& f : first) upper = std::max(upper, f.upper);
+    for (const double of : upper_of) upper = std::max(upper, of);
     result.lower = lower * scale;
     result.upper = upper * scale;
     const bool decided =
         !question.allowed || *question.allowed < result.lower || *question.allowed >= result.upper;
-    const bool narrow = result.upper - result.lower <= question.options.relative * result.upper;
-    if ((decided && (question.options.relative <= 0 || narrow)) || error <= least_error ||
-        result.pieces >= question.options.most_pieces)
-      break;
-    error = std::max(least_error, std::min(error, upper - lower) / 4);
+    const bool narrow =
+        options.relative <= 0 || result.upper - result.lower <= options.relative * result.upper;
+    if ((decided && narrow) || wanted.error <= least_error || result.pieces >= options.most_pieces) break;
+    // A width that is relative is asked for at once: where the sets coincide, the distance is rounding, and
+    // there are many powers of ten between that and the error.
+    wanted.relative = decided ? options.relative : 0;
+    wanted.error = decided ? least_error : std::max(least_error, std::min(wanted.error, upper - lower) / 4);
   }
+  // The searches far from B may have missed the nearest triangle.
+  const TriangleTree::Nearest nearest = b.nearest(point, result.nearest);
+  result.nearest = nearest.triangle;
+  result.lower =
+      std::clamp((std::sqrt(nearest.squared) - distance_slack) * scale, result.lower, result.upper);
   result.point = a.units().from(point);
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/distance/piece_search.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +33,37 @@ bool cut(const Piece& piece, const std::array<double, most_corners>& height, Pie
   return true;
 }
 
+// The two corners farthest apart.
+struct Extent {
+  double squared = -1;
+  int from = 0, to = 0;
+};
+
+Extent extent(const Piece& piece) {
+  Extent longest;
+  for (int i = 0; i < piece.corners; ++i)
+    for (int k = 0; k < i; ++k)
+      if (const double d = (piece.corner.col(i) - piece.corner.col(k)).squaredNorm(); d > longest.squared)
+        longest = {d, i, k};
+  return longest;
+}
+
+double twice_area(const Piece& piece) {
+  Point sum = Point::Zero();
+  for (int i = 1; i + 1 < piece.corners; ++i)
+    sum += (piece.corner.col(i) - piece.corner.col(0)).cross(piece.corner.col(i + 1) - piece.corner.col(0));
+  return sum.norm();
+}
+
+// Whether `part` is so much smaller than `whole` that cutting on like this soon ends. A piece that is as
+// narrow as rounding has no area that counts: it must get shorter.
+bool is_smaller(const Piece& part, const Piece& whole) {
+  const double area = twice_area(whole);
+  if (twice_area(part) > 0.6 * area) return false;
+  const double squared = extent(whole).squared;
+  return area > 1e-13 * std::sqrt(squared) || extent(part).squared <= 0.6 * squared;
+}
+
 }  // namespace
 
 void PieceSearch::run(PieceWork& work, std::int64_t budget) const {
@@ -52,8 +84,8 @@ bool PieceSearch::examine_over(PieceWork& work, const Piece& piece) const {
     squared = std::max(squared, frame.squared_distance(place[i]));
     height = std::max(height, place[i].zz);
   }
-  const double goal = target(work), slack = piece.slack();
-  if (std::sqrt(squared) + slack <= goal || piece.cuts >= most_cuts) {
+  const double slack = piece.slack(), goal = wanted_.bound(known(work), slack);
+  if (std::sqrt(squared) + slack <= goal || piece.whole || piece.cuts >= most_cuts) {
     work.upper = std::max(work.upper, std::sqrt(squared) + slack);
     return true;
   }
@@ -70,12 +102,12 @@ bool PieceSearch::examine_over(PieceWork& work, const Piece& piece) const {
 bool PieceSearch::over_prism(PieceWork& work, const Piece& piece, const Places& place, double goal,
                              double margin) const {
   const TriangleFrame& frame = tree_.frame(piece.guess);
-  // If the middle is between the walls, each part outside has at most 5/9 of the piece. Otherwise a piece may
-  // go on to a neighbour at most twice.
+  // If the middle is between the walls, each part outside has at most 5/9 of the piece, up to rounding.
+  // Otherwise a piece may go on to a neighbour at most twice.
   const TriangleFrame::Place middle = frame.place(piece.middle());
   bool shrinks = true;
   for (int k = 0; k < 3; ++k) shrinks = shrinks && frame.beyond(k, middle) <= margin;
-  if (!shrinks && (piece.asked || piece.walks >= 2)) return false;
+  if (piece.walks >= 2 || (!shrinks && piece.asked)) return false;
   std::array<Piece, 3> outside;
   std::array<int, 3> side;
   int parts = 0;
@@ -105,16 +137,21 @@ bool PieceSearch::over_prism(PieceWork& work, const Piece& piece, const Places& 
   for (int i = 0; i < parts; ++i) {
     const Index neighbour = tree_.across(piece.guess, side[i]);
     if (neighbour >= 0) outside[i].guess = neighbour;
-    outside[i].walks = shrinks ? 0 : piece.walks + 1;
+    outside[i].walks = shrinks && is_smaller(outside[i], piece) ? 0 : piece.walks + 1;
     work.pieces.push_back(outside[i]);
   }
   return true;
 }
 
-// Finds the triangle nearest to a point of the piece. The distance there is a lower bound.
+// Finds the triangle nearest to a point of the piece, or one about as near. The distance there gives a lower
+// bound.
 Index PieceSearch::ask(PieceWork& work, const Point& p, Index guess) const {
-  const TriangleTree::Nearest nearest = tree_.nearest(p, guess);
-  const double lower = std::sqrt(nearest.squared) - distance_slack;
+  // Far from the triangles, a distance that is hardly larger than the largest known helps nothing.
+  const double share = wanted_.share(known(work));
+  const double enough = share > 0 ? known(work) * (1 + share) : -1;
+  const TriangleTree::Nearest nearest = tree_.nearest(p, guess, enough, share);
+  const double distance = std::sqrt(nearest.squared);
+  const double lower = distance <= enough ? 0 : distance * (1 - share) - distance_slack;
   if (lower > work.lower) {
     work.lower = lower;
     work.point = p;
@@ -127,34 +164,37 @@ void PieceSearch::examine(PieceWork& work, Piece piece) const {
   if (examine_over(work, piece)) return;
   if (!piece.asked) {
     const Index before = piece.guess;
-    const double goal = target(work);
+    const double goal = wanted_.bound(known(work), piece.slack());
     piece.guess = ask(work, piece.middle(), piece.guess);
     const TriangleFrame& frame = tree_.frame(piece.guess);
     double farthest = -1;
     int at = 0;
     for (int i = 0; i < piece.corners; ++i)
       if (const double d = frame.squared_distance(piece.corner.col(i)); d > farthest) farthest = d, at = i;
-    if (std::sqrt(farthest) > goal) ask(work, piece.corner.col(at), piece.guess);
+    Index other = piece.guess;
+    if (std::sqrt(farthest) + piece.slack() > goal) other = ask(work, piece.corner.col(at), piece.guess);
     piece.asked = true;
-    if ((piece.guess != before || target(work) > goal) && examine_over(work, piece)) return;
+    const bool raised = wanted_.bound(known(work), piece.slack()) > goal;
+    if ((piece.guess != before || raised) && examine_over(work, piece)) return;
+    // A narrow piece along an edge: halving would not bring its long sides nearer to one triangle.
+    if (other != piece.guess && other != before) {
+      Piece over_other = piece;
+      over_other.guess = other;
+      if (examine_over(work, over_other)) return;
+    }
   }
   halve(work, piece);
 }
 
 void PieceSearch::halve(PieceWork& work, const Piece& piece) {
-  int from = 0, to = 0;
-  double longest = -1;
-  for (int i = 0; i < piece.corners; ++i)
-    for (int k = 0; k < i; ++k)
-      if (const double d = (piece.corner.col(i) - piece.corner.col(k)).squaredNorm(); d > longest)
-        longest = d, from = i, to = k;
+  const auto [longest, from, to] = extent(piece);
   const Point way = piece.corner.col(to) - piece.corner.col(from),
               middle = piece.corner.col(from) + 0.5 * way;
   std::array<double, most_corners> height;
   for (int i = 0; i < piece.corners; ++i) height[i] = (piece.corner.col(i) - middle).dot(way);
   if (!(longest > 0) || height[from] >= 0 || height[to] <= 0) {  // it has no extent: judge it by its corners
     work.pieces.push_back(piece);
-    work.pieces.back().cuts = most_cuts;
+    work.pieces.back().whole = true;
     return;
   }
   Piece below, above;

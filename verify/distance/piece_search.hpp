@@ -16,7 +16,7 @@ namespace tetproof::verify {
 inline constexpr int most_corners = 12;
 /// Rounding puts the new corners of a cut off the line between the old ones by less than this [units].
 inline constexpr double cut_slack = 4 * 0x1p-53;
-inline constexpr int most_cuts = 200;
+inline constexpr int most_cuts = 400;
 
 /// A convex polygon in a triangle of A. A piece made by `cuts` cuts may miss points that lie up to `cuts` *
 /// cut_slack away from it; `slack` accounts for them.
@@ -26,6 +26,7 @@ struct Piece {
   int cuts = 0;
   Index guess = -1;    ///< the triangle of B that bounds its distance
   bool asked = false;  ///< `guess` is the triangle nearest to its middle
+  bool whole = false;  ///< it has no extent that could be halved
   int walks = 0;       ///< how often it went on to a neighbour without certainly getting smaller
 
   double slack() const { return distance_slack + cuts * cut_slack; }
@@ -48,21 +49,38 @@ struct PieceWork {
   std::int64_t looked_at = 0;  ///< number of pieces
 };
 
+/// How closely a distance is wanted. All values but `relative` are in units.
+struct Wanted {
+  double error;     ///< the bound of a piece may be this much above the largest distance known
+  double relative;  ///< or above it by this share of it
+  double accepted;  ///< a bound that is always low enough
+
+  /// The largest bound that a piece need not improve on, if `lower` is the largest distance known and the
+  /// piece may miss points by `slack`. Every cut adds to a piece's slack, so no cut brings its bound below
+  /// its distance and `slack`. Rounding leaves no more to gain once the bound is within twice that.
+  double bound(double lower, double slack) const {
+    return std::max(lower + std::max({error, relative * lower, 2 * slack}), accepted);
+  }
+  /// The share of the distance by which a search far from the triangles may miss the nearest one. Near them,
+  /// 0: there only the nearest triangle helps to cut, and it is found quickly.
+  double share(double lower) const {
+    const double spare = std::max(error, relative * lower);
+    return lower > spare ? spare / (8 * lower) : 0;
+  }
+};
+
 /// Bounds the distance from pieces of triangles of A to the triangles B of a tree.
 class PieceSearch {
  public:
-  /// A piece is done if its distance is at most `error` above the largest distance found (`lower`, or the
-  /// triangle's own), or at most `accepted`. All values are in units.
-  PieceSearch(const TriangleTree& tree, double lower, double error, double accepted)
-      : tree_(tree), lower_(lower), error_(error), accepted_(accepted) {}
+  /// `lower` [units]: the largest distance known, beside those that a triangle finds in itself.
+  PieceSearch(const TriangleTree& tree, double lower, const Wanted& wanted)
+      : tree_(tree), lower_(lower), wanted_(wanted) {}
 
   /// Examines up to `budget` pieces.
   void run(PieceWork& work, std::int64_t budget) const;
 
  private:
-  double target(const PieceWork& work) const {
-    return std::max(std::max(lower_, work.lower) + error_, accepted_);
-  }
+  double known(const PieceWork& work) const { return std::max(lower_, work.lower); }
   using Places = std::array<TriangleFrame::Place, most_corners>;
   bool examine_over(PieceWork& work, const Piece& piece) const;
   bool over_prism(PieceWork& work, const Piece& piece, const Places& place, double goal, double margin) const;
@@ -71,7 +89,8 @@ class PieceSearch {
   static void halve(PieceWork& work, const Piece& piece);
 
   const TriangleTree& tree_;
-  double lower_, error_, accepted_;
+  double lower_;
+  Wanted wanted_;
 };
 
 }  // namespace tetproof::verify

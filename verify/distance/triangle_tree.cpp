@@ -15,6 +15,7 @@ namespace tetproof::verify {
 namespace {
 
 constexpr std::size_t leaf_size = 3;
+constexpr std::size_t largest_slab = 256;  // a patch of more triangles is hardly ever nearly plane
 
 // The number of inner nodes of a tree of n triangles, halved in the same way as in `split`.
 std::size_t inner_nodes(std::size_t n) {
@@ -84,9 +85,37 @@ Index TriangleTree::across(Index t, int k) const {
   return mate == no_side ? -1 : mate / 3;
 }
 
+Eigen::Vector3d TriangleTree::normals(std::span<const Item> items) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Item& item : items) {
+    const auto [p, q, r] = corners(item.triangle);
+    const Eigen::Vector3d normal = (q - p).cross(r - p);
+    sum += normal.dot(sum) < 0 ? Eigen::Vector3d(-normal) : normal;
+  }
+  return sum;
+}
+
+TriangleTree::Slab TriangleTree::slab(std::span<const Item> items, const Eigen::Vector3d& normals) const {
+  Slab slab;
+  const double length = normals.norm();
+  if (items.empty() || items.size() > largest_slab || !(length > 1e-150)) return slab;
+  slab.normal = normals / length;
+  double low = INFINITY, high = -INFINITY;
+  for (const Item& item : items)
+    for (const Eigen::Vector3d& p : corners(item.triangle)) {
+      const double at = slab.normal.dot(p);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+  slab.low = low - slab_slack;
+  slab.high = high + slab_slack;
+  return slab;
+}
+
 // Halves [begin, end) at the median, along the longest side of the box of the triangles' middles.
 // `inner_nodes` tells the position of every node in advance, so threads need not agree on numbers.
-void TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_t end, std::int32_t at) {
+Eigen::Vector3d TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_t end,
+                                    std::int32_t at) {
   const std::size_t n = end - begin, half = n / 2;
   Eigen::Vector3d low = items[begin].middle, high = low;
   for (std::size_t i = begin; i < end; ++i) {
@@ -104,17 +133,20 @@ void TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_
   const std::size_t inner = inner_nodes(half);
   const std::array<std::array<std::size_t, 2>, 2> parts{{{begin, begin + half}, {begin + half, end}}};
   const std::array<std::int32_t, 2> child{at + 1, at + 1 + static_cast<std::int32_t>(inner)};
+  std::array<Eigen::Vector3d, 2> normal;
   const auto build = [&](int side) {
     const auto& [from, to] = parts[static_cast<std::size_t>(side)];
+    const std::span<const Item> own = std::span(items).subspan(from, to - from);
     Eigen::Vector3d box_low = Eigen::Vector3d::Constant(INFINITY), box_high = -box_low;
     if (to - from > leaf_size) {
-      split(items, from, to, child[side]);
+      normal[side] = split(items, from, to, child[side]);
       const Node& below = nodes_[static_cast<std::size_t>(child[side])];
       box_low = below.low[0].cwiseMin(below.low[1]);
       box_high = below.high[0].cwiseMax(below.high[1]);
     } else {
-      for (std::size_t i = from; i < to; ++i)
-        for (const Eigen::Vector3d& p : corners(items[i].triangle)) {
+      normal[side] = normals(own);
+      for (const Item& item : own)
+        for (const Eigen::Vector3d& p : corners(item.triangle)) {
           box_low = box_low.cwiseMin(p);
           box_high = box_high.cwiseMax(p);
         }
@@ -122,6 +154,7 @@ void TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_
     Node& node = nodes_[static_cast<std::size_t>(at)];
     node.low[side] = box_low;
     node.high[side] = box_high;
+    node.slab[side] = slab(own, normal[side]);
     const bool leaf = to - from <= leaf_size;
     node.child[side] = leaf ? ~static_cast<std::int32_t>(from) : child[side];
     node.count[side] = !leaf ? 0 : to == from ? -1 : static_cast<std::int32_t>(to - from);
@@ -130,13 +163,30 @@ void TriangleTree::split(std::vector<Item>& items, std::size_t begin, std::size_
     tbb::parallel_invoke([&] { build(0); }, [&] { build(1); });
   else
     build(0), build(1);
+  if (normal[0].dot(normal[1]) < 0) normal[1] = -normal[1];
+  return normal[0] + normal[1];
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Index guess, double enough) const {
-  Nearest best{-1, INFINITY};
+TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Index guess, double enough,
+                                            double share) const {
+  if (guess < 0) return search(p, {-1, INFINITY}, enough, share);
+  return search(p, {guess, frame(guess).squared_distance(p)}, enough, share);
+}
+
+TriangleTree::Nearest TriangleTree::nearest_within(const Eigen::Vector3d& p, double reach,
+                                                   Index guess) const {
+  const double limit = reach * reach * (1 + 4 * 0x1p-53);
+  if (guess >= 0)
+    if (const double squared = frame(guess).squared_distance(p); squared <= limit)
+      return search(p, {guess, squared}, -1, 0);
+  return search(p, {-1, std::nextafter(limit, INFINITY)}, -1, 0);
+}
+
+TriangleTree::Nearest TriangleTree::search(const Eigen::Vector3d& p, Nearest best, double enough,
+                                           double share) const {
   if (empty()) return best;
-  const double good = enough < 0 ? -1 : enough * enough;
-  if (guess >= 0) best = {guess, frame(guess).squared_distance(p)};
+  const double good = enough < 0 ? -1 : enough * enough, keep = (1 - share) * (1 - share);
+  double limit = keep * best.squared;  // a half that is not nearer need not be searched
   struct Open {
     std::int32_t node;
     double squared;
@@ -146,21 +196,21 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Index gues
   stack[top++] = {0, 0};
   while (top > 0 && best.squared > good) {
     const Open open = stack[--top];
-    if (open.squared >= best.squared) continue;
+    if (open.squared >= limit) continue;
     const Node& node = nodes_[static_cast<std::size_t>(open.node)];
-    const std::array<double, 2> squared{squared_to_box(p, node.low[0], node.high[0]),
-                                        squared_to_box(p, node.low[1], node.high[1])};
+    const std::array<double, 2> squared{squared_to_half(p, node, 0, limit),
+                                        squared_to_half(p, node, 1, limit)};
     const int nearer = squared[1] < squared[0];
     for (const int side : {nearer, 1 - nearer}) {
-      if (node.count[side] <= 0 || squared[side] >= best.squared) continue;
+      if (node.count[side] <= 0 || squared[side] >= limit) continue;
       const std::int32_t first = ~node.child[side];
       for (std::int32_t i = first; i < first + node.count[side]; ++i)
         if (const double d = frames_[static_cast<std::size_t>(i)].squared_distance(p); d < best.squared)
           best = {triangle_[static_cast<std::size_t>(i)], d};
+      limit = keep * best.squared;
     }
     for (const int side : {1 - nearer, nearer})
-      if (node.count[side] == 0 && squared[side] < best.squared)
-        stack[top++] = {node.child[side], squared[side]};
+      if (node.count[side] == 0 && squared[side] < limit) stack[top++] = {node.child[side], squared[side]};
   }
   return best;
 }

@@ -9,8 +9,8 @@
 
 namespace tetproof::verify {
 
-/// Only tetrahedra with a positive, finite determinant in double arithmetic are measured and counted; the
-/// `excluded` ones (empty: none) are left out.
+/// Only tetrahedra of exactly positive volume are measured and counted; the `excluded` ones (empty: none) are
+/// left out.
 Quality measure_quality(const TetMesh& mesh, const std::vector<std::uint8_t>& excluded);
 
 }  // namespace tetproof::verify

@@ -263,9 +263,13 @@ DeepVoxels deep_voxels(const VoxelLattice& lattice, const VoxelBits& set, const 
 
   for (std::size_t p = 0; p < points.size(); ++p) {
     Voxel v;
-    for (int axis = 0; axis < 3; ++axis)
-      v[axis] = static_cast<int>(
-          std::clamp(std::floor(lattice.position(axis, points[p][axis])), 0.0, lattice.size[axis] - 1.0));
+    bool near = true;  // the point may be beside the lattice
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = std::floor(lattice.position(axis, points[p][axis])), last = lattice.size[axis] - 1.0;
+      near = near && at >= -1 && at <= last + 1;
+      v[axis] = static_cast<int>(std::clamp(at, 0.0, last));
+    }
+    if (!near) continue;
     for (int i = v[0] - 1; i <= v[0] + 1; ++i)
       for (int j = v[1] - 1; j <= v[1] + 1; ++j)
         if (const auto [first, last] = runs_at(runs, i, j, v[2] - 1, v[2] + 2);

@@ -19,12 +19,13 @@ bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 // Why the result contains all voxels that the surface meets. Coordinates are in voxels, relative to a corner
 // `base_` of the triangle's first voxel, whose planes are exact doubles. So each is off by at most 2^-52 of
-// itself: below 3e-13, as no side of the lattice has more than 1100 voxels. A convex cube and a convex
-// triangle are disjoint if their projections on some direction are disjoint. The directions below are the
-// classical ones, the normal and edges x axes, as floating point computes them. Whatever they are, the dot
-// products of three terms with |direction|_1 = A are off by less than 1.3e-12 A, the error above included,
-// and only a gap of more than 4e-12 A counts. So no voxel that the surface meets is left out. That the
-// directions are close to the classical ones only keeps the set small.
+// itself: below 3e-13 up to 1100 voxels away, the longest side of a lattice. (`margin_` is wider for a
+// triangle that reaches farther out of the lattice.) A convex cube and a convex triangle are disjoint if
+// their projections on some direction are disjoint. The directions below are the classical ones, the normal
+// and edges x axes, as floating point computes them. Whatever they are, the dot products of three terms with
+// |direction|_1 = A are off by less than 1.3e-12 A, the error above included, and only a gap of more than
+// `margin_` A, at least 4e-12 A, counts. So no voxel that the surface meets is left out. That the directions
+// are close to the classical ones only keeps the set small.
 class TriangleVoxels {
  public:
   TriangleVoxels(const TriangleSurface& surface, std::size_t t, const VoxelLattice& lattice) {
@@ -37,10 +38,16 @@ class TriangleVoxels {
       base_[axis] = static_cast<int>(std::clamp(first, 0.0, lattice.size[axis] - 1.0));
       const double plane = lattice.plane(axis, base_[axis]);
       for (int c = 0; c < 3; ++c) u_[c][axis] = (v[c][axis] - plane) / lattice.h;
-      first_[axis] =
-          std::max(static_cast<int>(std::ceil((low - plane) / lattice.h - margin)) - 1, -base_[axis]);
-      last_[axis] = std::min(static_cast<int>(std::floor((high - plane) / lattice.h + margin)),
-                             lattice.size[axis] - 1 - base_[axis]);
+    }
+    double farthest = 0;
+    for (const Eigen::Vector3d& u : u_) farthest = std::max(farthest, u.lpNorm<Eigen::Infinity>());
+    margin_ = 4e-12 * std::max(1.0, farthest / 1100);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax({u_[0][axis], u_[1][axis], u_[2][axis]});
+      const double least = -base_[axis], most = lattice.size[axis] - 1 - base_[axis];
+      // Nothing of a triangle beside the lattice is in it: then the first voxel comes after the last.
+      first_[axis] = static_cast<int>(std::clamp(std::ceil(low - margin_) - 1, least, most + 1));
+      last_[axis] = static_cast<int>(std::clamp(std::floor(high + margin_), least - 1, most));
     }
   }
 
@@ -57,8 +64,6 @@ class TriangleVoxels {
   }
 
  private:
-  static constexpr double margin = 4e-12;
-
   struct Direction {
     Eigen::Vector3d a;
     double low, high;           // the triangle's projection, widened by the margin
@@ -68,7 +73,7 @@ class TriangleVoxels {
   void add(const Eigen::Vector3d& a) {
     const std::array<double, 3> p{a.dot(u_[0]), a.dot(u_[1]), a.dot(u_[2])};
     const auto [low, high] = std::minmax({p[0], p[1], p[2]});
-    const double slack = margin * a.lpNorm<1>();
+    const double slack = margin_ * a.lpNorm<1>();
     directions_[count_++] = {a, low - slack, high + slack, a.cwiseMax(0).sum(), a.cwiseMin(0).sum()};
   }
 
@@ -106,6 +111,7 @@ class TriangleVoxels {
 
   std::array<int, 3> base_, first_, last_;
   std::array<Eigen::Vector3d, 3> u_;
+  double margin_;
   std::array<Direction, 10> directions_;
   int count_ = 0;
 };

@@ -86,7 +86,8 @@ class VoxelBits {
 
 /// The voxels whose centres are inside: on their line along z, the surface is crossed an odd number of times
 /// below them. Exact for every centre that is not on the surface. InputError if a line crosses the surface an
-/// odd number of times in all, which cannot happen with a closed surface.
+/// odd number of times in all, which cannot happen with a closed surface. The surface may reach out of the
+/// lattice; then the last voxel of each row may be wrong.
 VoxelBits inside_voxels(const TriangleSurface& surface, const VoxelLattice& lattice);
 
 /// The closed voxels that the surface meets, and perhaps some that it misses by at most 1e-11 h.

@@ -84,9 +84,9 @@ VoxelLattice lay_voxels(const TriangleSurface& surface, int along_longest_side) 
       high = high.cwiseMax(surface.vertices[v]);
     }
   const double side = (high - low).maxCoeff();
-  if (!(side >= 1e-90 && side <= 1e90))
+  if (!(side >= 1e-98 && side <= 1e98))  // the volume of a voxel must be a normal double
     throw VoxelRangeError(
-        fmt::format("the longest side of the surface's box is {}, expected 1e-90 to 1e90", side));
+        fmt::format("the longest side of the surface's box is {}, expected 1e-98 to 1e98", side));
   int exponent;
   const double digits = std::frexp(side / along_longest_side, &exponent);
   const double h = std::ldexp(std::ceil(std::ldexp(digits, 12)), exponent - 12);

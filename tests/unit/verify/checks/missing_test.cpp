@@ -162,6 +162,30 @@ TEST(MissingRegion, ASurfaceThatIsUsedAgainGivesTheSameReports) {
     }
 }
 
+TEST(MissingRegion, IsSeenWhereTheBoxesDifferMuch) {
+  // A mesh that is a thousand times too large, too small, or elsewhere lacks the whole solid (or all but a
+  // thousand millionth of it), and all of the mesh is in excess. In one lattice over both boxes, the smaller
+  // one would be less than a voxel.
+  const TriangleSurface surface = boundary_surface(lattice_mesh({2, 2, 2}));
+  const auto judged = [&](double size, const Point& at) {
+    return verify::verify(lattice_mesh({2, 2, 2}, {}, at, size), surface,
+                          {.region = Region::inside, .voxels = 40});
+  };
+  const Report small = judged(1e-3, {1, 1, 1}), elsewhere = judged(1, {3e4, -1e5, 0});
+  for (const Report* report : {&small, &elsewhere}) {
+    ASSERT_EQ((*report)[Check::missing_region].count, 1) << report_text(*report);
+    EXPECT_TRUE(within(*(*report)[Check::missing_region].findings[0].point, {0, 0, 0}, {2, 2, 2}));
+    EXPECT_NEAR(*report->volume.missing, 8, 1.2);
+  }
+  EXPECT_EQ(*small.volume.excess, 0.0) << "it lies inside";
+  ASSERT_EQ(elsewhere[Check::excess_region].count, 1) << report_text(elsewhere);
+  EXPECT_NEAR(*elsewhere.volume.excess, 8, 1.2);
+  const Report large = judged(1e3, {-700, -900, -800});
+  EXPECT_EQ(large[Check::missing_region].count, 0) << report_text(large);
+  ASSERT_EQ(large[Check::excess_region].count, 1) << report_text(large);
+  EXPECT_NEAR(*large.volume.excess / 8e9, 1, 0.15);
+}
+
 TEST(DeepVoxels, TheVolumeIsOffByNoMoreThanStated) {
   // The points that are deeper than d inside a cube form a smaller cube. Its volume is that of the certain
   // voxels, up to the uncertain ones.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <random>
 
 #include "corpus/surfaces.hpp"
@@ -270,6 +271,100 @@ TEST(Hausdorff, BoundedWorkLeavesAWiderInterval) {
   EXPECT_GT(wide.upper - wide.lower, 1e-9);
   EXPECT_LE(wide.lower, narrow.upper);
   EXPECT_GE(wide.upper, narrow.lower);
+}
+
+// A sphere of 20 4^levels triangles: an icosahedron whose triangles are divided in four.
+TriangleSurface icosphere(int levels, double radius, const Point& centre) {
+  const double g = (1 + std::sqrt(5.0)) / 2;
+  TriangleSurface sphere{
+      .vertices = {{-1, g, 0},
+                   {1, g, 0},
+                   {-1, -g, 0},
+                   {1, -g, 0},
+                   {0, -1, g},
+                   {0, 1, g},
+                   {0, -1, -g},
+                   {0, 1, -g},
+                   {g, 0, -1},
+                   {g, 0, 1},
+                   {-g, 0, -1},
+                   {-g, 0, 1}},
+      .triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<Index, Index>, Index> middle;
+    const auto between = [&](Index a, Index b) {
+      const auto [at, is_new] = middle.try_emplace(std::minmax(a, b), sphere.vertices.size());
+      if (is_new) sphere.vertices.push_back(sphere.vertices[a] + sphere.vertices[b]);
+      if (is_new) sphere.vertices.back() *= sphere.vertices[0].norm() / sphere.vertices.back().norm();
+      return at->second;
+    };
+    std::vector<std::array<Index, 3>> finer;
+    for (const auto& [a, b, c] : sphere.triangles) {
+      const Index ab = between(a, b), bc = between(b, c), ca = between(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    sphere.triangles = std::move(finer);
+  }
+  for (Point& p : sphere.vertices) p = centre + radius / p.norm() * p;
+  return sphere;
+}
+
+TEST(Hausdorff, OfConcentricSpheresIsFoundWithoutLookingAtAllPairs) {
+  // Of smooth spheres the distance is larger - smaller + offset, both ways. The triangles of a sphere of
+  // radius R lie inside it, by at most R / 200 for 1,280 triangles and R / 800 for 5,120.
+  for (const double ratio : {2.0, 100.0, 1e4})
+    for (const double offset : {0.0, 0.01, 0.3}) {
+      const TriangleSurface inner = icosphere(3, 1, offset * Point(0.6, 0, -0.8)),
+                            outer = icosphere(4, ratio, {0, 0, 0});
+      const double error = 1e-3 * std::sqrt(12) * ratio, right = ratio - 1 + offset;
+      for (const auto& d :
+           {distance(inner, outer, {.error = error}), distance(outer, inner, {.error = error})}) {
+        EXPECT_GE(d.upper, right - ratio / 800) << ratio << " " << offset;
+        EXPECT_LE(d.lower, right + 1.0 / 200) << ratio << " " << offset;
+        EXPECT_LE(d.upper - d.lower, error);
+        EXPECT_LE(d.pieces, 3 * 5120) << ratio << " " << offset;
+      }
+      const DirectedDistance narrow = distance(inner, outer, {.error = error / 1000});
+      EXPECT_LE(narrow.upper - narrow.lower, error / 1000);
+      EXPECT_NEAR(to_surface(narrow.point, outer), narrow.lower, 1e-13 * ratio) << "attained, by brute force";
+      EXPECT_NEAR(point_to_triangle(narrow.point, corners(outer, static_cast<std::size_t>(narrow.nearest))),
+                  narrow.lower, 1e-13 * ratio);
+      double sampled = 0;  // no vertex or middle of a triangle is farther than the upper end
+      for (std::size_t t = 0; t < inner.triangles.size(); t += 7) {
+        const auto [p, q, r] = corners(inner, t);
+        sampled = std::max({sampled, to_surface(p, outer), to_surface((p + q + r) / 3, outer)});
+      }
+      EXPECT_GE(narrow.upper, sampled - 1e-13 * ratio);
+    }
+}
+
+TEST(Hausdorff, LargeFacesUnderManySmallOnesTakeLittleWork) {
+  // A thin plate, turned and moved far away, with two triangles a side and with many, whose vertices are
+  // rounded. Such distances are rounding alone, and an interval that is narrow in proportion may not exist.
+  std::int64_t most = 0;
+  for (const double thickness : {1.0, 1e-2, 1e-5})
+    for (const double away : {0.0, 1e3, 1e6})
+      for (const double turn : {0.0, 0.1, 0.7}) {
+        const auto placed = [&](TriangleSurface plate, const Eigen::Vector2d& cell) {
+          const Eigen::Matrix3d rotation(Eigen::AngleAxisd(turn, Point(1, 2, 3).normalized()));
+          for (Point& p : plate.vertices)
+            p = rotation * Point(p.x() * cell.x(), p.y() * cell.y(), p.z() * thickness) +
+                away * Point(1, -0.7, 0.3);
+          return plate;
+        };
+        const TriangleSurface few = placed(boundary_surface(lattice_mesh({1, 1, 1})), {1, 0.75}),
+                              many =
+                                  placed(boundary_surface(lattice_mesh({17, 13, 1})), {1 / 17.0, 0.75 / 13});
+        for (const auto& d : {distance(few, many, {.error = 1e-4, .relative = 0.2}),
+                              distance(many, few, {.error = 1e-4, .relative = 0.2})}) {
+          most = std::max(most, d.pieces);
+          EXPECT_LE(d.upper - d.lower, std::max(0.2 * d.upper, 1e-12))
+              << thickness << " " << away << " " << turn;
+        }
+      }
+  EXPECT_LE(most, 100'000) << "it was millions";
 }
 
 TEST(Hausdorff, EmptySetsAndBadInput) {

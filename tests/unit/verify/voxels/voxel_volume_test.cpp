@@ -253,6 +253,14 @@ TEST(VoxelVolume, ScalesByPowersOfTwo) {
   const VoxelVolume scaled = voxel_volume(surface, 50);
   EXPECT_EQ(scaled.inside, volume.inside * 1024 * 1024 * 1024);
   EXPECT_EQ(flags(scaled), flags(volume));
+  for (const int exponent : {-300, 260, 310}) {
+    TriangleSurface other = surface;  // is scaled by 2^10 already
+    for (Eigen::Vector3d& v : other.vertices) v *= std::ldexp(1, exponent);
+    const VoxelVolume there = voxel_volume(other, 50);
+    EXPECT_EQ(there.inside, scaled.inside * std::ldexp(1, 3 * exponent)) << exponent;
+    EXPECT_EQ(there.error_bound, scaled.error_bound * std::ldexp(1, 3 * exponent)) << exponent;
+    EXPECT_EQ(flags(there), flags(volume)) << exponent;
+  }
 }
 
 TEST(VoxelVolume, RefusesInOneLine) {
@@ -278,7 +286,7 @@ TEST(VoxelVolume, RefusesInOneLine) {
   EXPECT_EQ(error_of(bad, 8), "vertex 5 of the surface is not finite");
   bad = sphere;
   for (Eigen::Vector3d& v : bad.vertices) v = {1, 2, 3};
-  EXPECT_EQ(error_of(bad, 8), "the longest side of the surface's box is 0, expected 1e-90 to 1e90");
+  EXPECT_EQ(error_of(bad, 8), "the longest side of the surface's box is 0, expected 1e-98 to 1e98");
   bad = sphere;
   for (Eigen::Vector3d& v : bad.vertices) v[0] += 1e12;
   EXPECT_EQ(error_of(bad, 1024).substr(0, 70),
