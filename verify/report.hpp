@@ -98,6 +98,7 @@ struct CheckResult {
   std::int64_t consequences = 0;  ///< findings that are consequences of another check's, and counted there
   std::optional<double> measured{}, allowed{};
   std::vector<Finding> findings{};  ///< the first of those that `count` counts
+  std::string why{};                ///< the reason, if it was skipped
 };
 
 /// Elements or checks that the verdict does not cover.
@@ -158,9 +159,13 @@ struct RegionAccount {
 };
 
 struct Report {
-  std::vector<CheckResult> checks;    ///< one for each check, in the order of `Check`
-  std::optional<bool> certificate;    ///< absent when a check that it needs was skipped and none failed
-  std::vector<NotJudged> not_judged;  ///< elements and checks that the verdict does not cover
+  std::vector<CheckResult> checks;  ///< one for each check, in the order of `Check`
+  std::optional<bool> certificate;  ///< absent when a check that it needs was skipped and none failed
+  /// Elements and checks that should have been judged and were not: with any, no verdict is sound.
+  std::vector<NotJudged> not_judged;
+  /// Elements and checks that the options left out. The verdict is about the rest, and says so.
+  std::vector<NotJudged> left_out;
+  bool by_corners = false;  ///< there are curved tetrahedra: all that is said of them is about their corners
   Shape mesh;
   std::vector<RegionAccount> regions;  ///< ascending by their tags; empty if there is only one region
   std::optional<Shape> surface;

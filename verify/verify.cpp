@@ -42,6 +42,20 @@ void refuse_unusable(const TetMesh& mesh, const JudgedSurface* surface, const Op
   if (surface && !surface->report().fault.empty()) throw InputError(surface->report().fault);
 }
 
+// What the verdict does not cover, before any check runs.
+void add_scope(const Options& options, Report& report) {
+  const auto add = [](std::vector<NotJudged>& list, const std::vector<NotJudged>& entries) {
+    list.insert(list.end(), entries.begin(), entries.end());
+  };
+  const Unjudged& unjudged = options.unjudged;
+  add(options.only_tets ? report.left_out : report.not_judged, unjudged.elements);
+  add(report.not_judged, unjudged.unread);
+  report.by_corners = unjudged.curved > 0;
+  if (report.by_corners)
+    report.not_judged.push_back({"curved shapes", unjudged.curved,
+                                 "tetrahedra of second or higher order are judged by their corners"});
+}
+
 Shape shape_of_mesh(const TetMesh& mesh, const TetrahedraEvidence& tetrahedra, const Boundary& boundary,
                     const MeshVolumes& volumes) {
   Shape shape = shape_of(boundary, volumes);
@@ -57,7 +71,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   Report& report = record.report;
   Phases phases(options.timings, report);
   if (surface) report.notes = surface->report().notes;
-  report.not_judged = options.unjudged.elements;
+  add_scope(options, report);
 
   const PointEvidence points = examine_points(mesh, record);
   check_points(mesh, points, options.unjudged, record);

@@ -177,9 +177,9 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     return;
   }
 
-  if (options.coarse) record.leave_out({Check::normals});
+  if (options.coarse) record.does_not_apply({Check::normals}, "a grid from a coarse lattice");
   if (options.voxels == 0)
-    record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel});
+    record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel}, "no voxels are asked for");
   const VoxelEvidence voxels = examine_voxels(surface, options, record);
   const Comparison comparison(mesh, surface, own);
   RegionEvidence regions;

@@ -69,7 +69,7 @@ std::string check_text(const CheckResult& result, const Numbering& numbering, st
 }
 
 std::string failure_text(const Report& report, const Numbering& numbering, std::size_t most) {
-  std::string text = verdict_text(report) + "\n";
+  std::string text = verdict_text(report) + "\n" + scope_text(report);
   for (const CheckResult& result : report.checks) {
     if (result.verdict != Verdict::fail) continue;
     text += check_text(result, numbering, most);

@@ -53,10 +53,19 @@ Json json(const Finding& finding, const Numbering& numbering) {
 Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
-  return {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
-          {"exact", info(result.check).all_exact}, {"count", result.count},
-          {"consequences", result.consequences},   {"measured", or_null(result.measured)},
-          {"allowed", or_null(result.allowed)},    {"findings", findings}};
+  Json all = {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
+              {"exact", info(result.check).all_exact}, {"count", result.count},
+              {"consequences", result.consequences},   {"measured", or_null(result.measured)},
+              {"allowed", or_null(result.allowed)},    {"findings", findings}};
+  if (!result.why.empty()) all["why"] = result.why;
+  return all;
+}
+
+Json json(const std::vector<NotJudged>& entries) {
+  Json list = Json::array();
+  for (const NotJudged& entry : entries)
+    list.push_back({{"what", entry.what}, {"count", entry.count}, {"why", entry.why}});
+  return list;
 }
 
 Json json(const Shape& shape, bool is_mesh) {
@@ -87,12 +96,11 @@ Json report_json_object(const Report& report, const Numbering& numbering) {
     regions.push_back({{"tag", region.tag}});
     regions.back().update(json(region.shape, true));
   }
-  Json not_judged = Json::array();
-  for (const NotJudged& entry : report.not_judged)
-    not_judged.push_back({{"what", entry.what}, {"count", entry.count}, {"why", entry.why}});
   Json all = {{"verdict", verdict_word(report)},
               {"certificate", or_null(report.certificate)},
-              {"not_judged", not_judged},
+              {"not_judged", json(report.not_judged)},
+              {"left_out", json(report.left_out)},
+              {"by_corners", report.by_corners},
               {"checks", checks},
               {"mesh", json(report.mesh, true)},
               {"regions", regions},

@@ -23,7 +23,7 @@ std::string shape_text(const Shape& shape) {
 }  // namespace
 
 std::string report_text(const Report& report, const Numbering& numbering) {
-  std::string text = verdict_text(report) + "\n";
+  std::string text = verdict_text(report) + "\n" + scope_text(report);
   for (const Verdict verdict : {Verdict::fail, Verdict::warning})
     for (const CheckResult& result : report.checks)
       if (result.verdict == verdict) text += check_text(result, numbering);
