@@ -91,17 +91,19 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, points.excluded);
   phases.done("volume");
 
+  const UnjudgedPlaces unjudged(mesh, boundary.boundary, options);
   const ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
   check_conformity(mesh, boundary.boundary, contacts, record);
   check_cavities(mesh, boundary.boundary, contacts.conformity, volumes,
-                 surface ? right_cavities(options.region, surface->report()) : 0, record);
-  check_manifold(mesh, boundary.boundary, contacts.conformity, record);
+                 surface ? right_cavities(options.region, surface->report()) : 0, unjudged, record);
+  check_manifold(mesh, boundary.boundary, contacts.conformity, unjudged, record);
   check_self_intersection(mesh, boundary.boundary, contacts, record);
   check_overlap(mesh, points, boundary, contacts, record);
   phases.done("boundary");
 
   if (surface) {
-    check_against_surface({mesh, points.excluded, boundary.boundary, volumes, options}, *surface, record);
+    check_against_surface({mesh, points.excluded, boundary.boundary, volumes, unjudged, options}, *surface,
+                          record);
     phases.done("against the surface");
   }
   if (options.quality) {

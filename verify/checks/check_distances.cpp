@@ -115,6 +115,10 @@ Comparison::Comparison(const JudgedMesh& mesh, const JudgedSurface& judged_surfa
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     const Index sheet = mesh.boundary.sheets.of_triangle[i];
     if (sheet >= 0 && own[sheet]) continue;
+    if (mesh.unjudged.at(boundary[i])) {
+      ++at_unjudged;
+      continue;
+    }
     faces.push_back(boundary[i]);
     ids.push_back(mesh.boundary.faces[i]);
     sheets.push_back(sheet);
