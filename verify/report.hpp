@@ -154,7 +154,7 @@ struct Quality {
 /// One region of a mesh of several regions. Its boundary faces belong to one tetrahedron of the region; faces
 /// that it shares with other regions are among them.
 struct RegionAccount {
-  std::int64_t tag = 0;
+  RegionTag tag{};
   Shape shape{};
 };
 
@@ -167,7 +167,7 @@ struct Report {
   std::vector<NotJudged> left_out;
   bool by_corners = false;  ///< there are curved tetrahedra: all that is said of them is about their corners
   Shape mesh;
-  std::vector<RegionAccount> regions;  ///< ascending by their tags; empty if there is only one region
+  std::vector<RegionAccount> regions;  ///< in the order of their tags; empty if there is only one region
   std::optional<Shape> surface;
   VolumeAccount volume;
   std::optional<Fidelity> fidelity;  ///< absent when no distance was measured

@@ -39,6 +39,10 @@ void refuse_unusable(const TetMesh& mesh, const JudgedSurface* surface, const Op
   if (!options.regions.empty() && options.regions.size() != mesh.tets.size())
     throw InputError(fmt::format("regions of {} tetrahedra are given, expected those of all {}",
                                  options.regions.size(), mesh.tets.size()));
+  const auto tags = static_cast<std::int64_t>(options.region_tags.size());
+  for (const std::int64_t region : options.regions)
+    if (tags > 0 && (region < 0 || region >= tags))
+      throw InputError(fmt::format("region {} is given, expected one of the {} region tags", region, tags));
   if (surface && !surface->report().fault.empty()) throw InputError(surface->report().fault);
 }
 
@@ -89,6 +93,9 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   report.mesh = shape_of_mesh(mesh, tetrahedra, boundary.boundary, volumes);
   report.volume.mesh = report.mesh.volume;
   if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, points.excluded);
+  if (!options.region_tags.empty())
+    for (RegionAccount& account : report.regions)
+      account.tag = options.region_tags[static_cast<std::size_t>(account.tag.tag)];
   phases.done("volume");
 
   const UnjudgedPlaces unjudged(mesh, boundary.boundary, options);

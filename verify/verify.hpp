@@ -61,6 +61,8 @@ struct Options {
   /// The region of each tetrahedron, from the tags of its element; empty: one region. Regions may share
   /// faces. The mesh is judged as a whole, and each region gets its own account.
   std::vector<std::int64_t> regions{};
+  /// If not empty, `regions` are positions in it, as `tet_regions` gives both; else they are tags.
+  std::vector<RegionTag> region_tags{};
   Unjudged unjudged{};  ///< if there are any such parts, a mesh without defect is not sound but incomplete
   /// The tetrahedra alone are judged: `unjudged.elements` count as left out, and the mesh is compared with
   /// the surface as if they were not there. Curved shapes and elements that were not read are still not

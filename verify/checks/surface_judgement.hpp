@@ -14,6 +14,7 @@ namespace tetproof::verify {
 
 struct SurfaceJudgement {
   SurfaceReport report;
+  SurfaceNumbering numbering;
   std::optional<ExactVolumes> volumes;  ///< one set for each component; absent with a fault
   std::vector<Index> component_of;      ///< the component of each triangle
   std::vector<int> weights;             ///< of the components, for the volume inside an odd number of them
@@ -21,6 +22,6 @@ struct SurfaceJudgement {
   std::shared_ptr<KeptVoxels> voxels = std::make_shared<KeptVoxels>();
 };
 
-SurfaceJudgement judge(const TriangleSurface& surface);
+SurfaceJudgement judge(const TriangleSurface& surface, SurfaceNumbering numbering);
 
 }  // namespace tetproof::verify

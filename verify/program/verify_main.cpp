@@ -46,7 +46,7 @@ struct Arguments {
 struct Loaded {
   TetMesh mesh;
   Numbering numbering;
-  std::vector<std::int64_t> regions;
+  TetRegions regions;
   verify::Unjudged unjudged;
 };
 
@@ -67,11 +67,12 @@ Loaded load(const Arguments& arguments, const program::Common& common) {
 
 verify::Report judge(const TetMesh& mesh, Arguments& arguments, const program::Common& common) {
   if (arguments.surface.empty()) return verify::verify(mesh, arguments.options);
-  const SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
+  SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
   program::report_reading(common, file.warnings, file.dropped);
   verify::add_unread_surface(arguments.options.unjudged, file.dropped);
   try {
-    return verify::verify(mesh, file.surface, arguments.options);
+    const verify::JudgedSurface surface(file.surface, std::move(file.numbering));
+    return verify::verify(mesh, surface, arguments.options);
   } catch (const InputError& error) {
     throw InputError(arguments.surface + ": " + error.what());
   }
@@ -117,7 +118,8 @@ int work(const Arguments& given, const program::Common& common) {
   program::FilesInUse files = files_of(arguments, common);
   const auto start = std::chrono::steady_clock::now();
   Loaded loaded = load(arguments, common);
-  arguments.options.regions = std::move(loaded.regions);
+  arguments.options.regions = std::move(loaded.regions.of_tet);
+  arguments.options.region_tags = std::move(loaded.regions.tags);
   arguments.options.unjudged = std::move(loaded.unjudged);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   verify::Report report = judge(loaded.mesh, arguments, common);

@@ -2,6 +2,8 @@
 // The keys are a contract: see report.schema.json.
 #include "verify/reports/report_json.hpp"
 
+#include <algorithm>
+
 #include "verify/reports/verdict.hpp"
 
 namespace tetproof::verify {
@@ -30,6 +32,15 @@ const char* name(Verdict verdict) {
   return "";
 }
 
+// Which of those with its number each element is; empty if none shares its number.
+template <class Nth>
+Json nth_of(const std::vector<Index>& elements, const Nth& nth) {
+  Json all = Json::array();
+  if (std::any_of(elements.begin(), elements.end(), [&](Index i) { return nth(i) > 0; }))
+    for (const Index i : elements) all.push_back(std::max(nth(i), 1));
+  return all;
+}
+
 Json json(const Finding& finding, const Numbering& numbering) {
   Json tets = Json::array(), vertices = Json::array(), faces = Json::array(), consequences = Json::array();
   for (const Index t : finding.tets) tets.push_back(numbering.tet(t));
@@ -41,13 +52,19 @@ Json json(const Finding& finding, const Numbering& numbering) {
   Json point, exact;
   if (finding.point) point = {finding.point->x(), finding.point->y(), finding.point->z()};
   if (!finding.point_exact[0].empty()) exact = finding.point_exact;
-  return {{"tets", tets},
-          {"vertices", vertices},
-          {"faces", faces},
-          {"point", point},
-          {"point_exact", exact},
-          {"what", finding.what},
-          {"consequences", consequences}};
+  Json all = {{"tets", tets},
+              {"vertices", vertices},
+              {"faces", faces},
+              {"point", point},
+              {"point_exact", exact},
+              {"what", finding.what},
+              {"consequences", consequences}};
+  if (const Json nth = nth_of(finding.tets, [&](Index t) { return numbering.nth_tet(t); }); !nth.empty())
+    all["tets_nth"] = nth;
+  if (const Json nth = nth_of(finding.vertices, [&](Index v) { return numbering.nth_point(v); });
+      !nth.empty())
+    all["vertices_nth"] = nth;
+  return all;
 }
 
 Json json(const CheckResult& result, const Numbering& numbering) {
@@ -93,7 +110,7 @@ Json report_json_object(const Report& report, const Numbering& numbering) {
   for (const CheckResult& result : report.checks) checks.push_back(json(result, numbering));
   Json regions = Json::array();
   for (const RegionAccount& region : report.regions) {
-    regions.push_back({{"tag", region.tag}});
+    regions.push_back({{"tag", region.tag.tag}, {"kind", region.tag.kind}, {"name", region.tag.name}});
     regions.back().update(json(region.shape, true));
   }
   Json all = {{"verdict", verdict_word(report)},

@@ -38,7 +38,9 @@ std::string report_text(const Report& report, const Numbering& numbering) {
                       io::counted(report.mesh.boundary_faces, "boundary faces"), shape_text(report.mesh));
   for (std::size_t i = 0; i < report.regions.size() && i < most_regions; ++i) {
     const auto& [tag, shape] = report.regions[i];
-    text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", tag,
+    const std::string name = (tag.kind.empty() ? "" : tag.kind + " ") + fmt::format("{}", tag.tag) +
+                             (tag.name.empty() ? "" : " (" + tag.name + ")");
+    text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", name,
                         io::counted(shape.tets, "tetrahedra"), shape.volume.value_or(0),
                         io::counted(shape.boundary_faces, "faces"), shape_text(shape));
   }
