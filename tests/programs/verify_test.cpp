@@ -41,7 +41,7 @@ TEST_F(Verify, RegionsByElementTags) {
   EXPECT_EQ(parts["regions"][1]["boundary_faces"], 8);
   EXPECT_EQ(report({"cube.ele"}, 0)["regions"], json::array());
   EXPECT_THAT(run({"parts.ele"}).out,
-              HasSubstr("region attribute 7 3 tetrahedra, volume 4; boundary of 8 faces"));
+              HasSubstr("region    attribute 7: 3 tetrahedra, volume 4; boundary of 8 faces"));
 }
 
 // One tetrahedron of second order, with its nodes in Gmsh's order. If all its nodes are exactly in the middle

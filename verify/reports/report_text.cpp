@@ -40,7 +40,7 @@ std::string report_text(const Report& report, const Numbering& numbering) {
     const auto& [tag, shape] = report.regions[i];
     const std::string name = (tag.kind.empty() ? "" : tag.kind + " ") + fmt::format("{}", tag.tag) +
                              (tag.name.empty() ? "" : " (" + tag.name + ")");
-    text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", name,
+    text += fmt::format("region    {}: {}, volume {:.12g}; boundary of {}, {}\n", name,
                         io::counted(shape.tets, "tetrahedra"), shape.volume.value_or(0),
                         io::counted(shape.boundary_faces, "faces"), shape_text(shape));
   }

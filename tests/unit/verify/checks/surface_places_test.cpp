@@ -90,7 +90,7 @@ TEST(SurfacePlaces, TrianglesOfAPolygonHaveItsNumber) {
   EXPECT_EQ(read.numbering.triangles, (std::vector<std::int64_t>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5}));
   EXPECT_EQ(
       verify::judge_surface(read.surface, read.numbering).fault,
-      "the surface is open: 3 edges have one triangle (first: 4-7 from (0, 0, 1) to (0, 1, 1), of face 1)");
+      "the surface is open: 3 edges have one triangle (first: 3-4 from (0, 1, 0) to (0, 0, 1), of face 5)");
 }
 
 TEST(SurfacePlaces, WeldedVerticesKeepTheFirstNumber) {

@@ -123,8 +123,9 @@ TEST(Regions, AGroupAndAnEntityOfTheSameNumberAreTwo) {
   EXPECT_EQ(report.regions[1].tag.tag, 2);
   EXPECT_EQ(report.regions[1].tag.name, "");
   EXPECT_EQ(report.regions[1].shape.volume, 1.0);
-  EXPECT_THAT(report_text(report), testing::HasSubstr("region physical 2 (steel) 6 tetrahedra, volume 1; "));
-  EXPECT_THAT(report_text(report), testing::HasSubstr("region entity 2 6 tetrahedra, volume 1; "));
+  EXPECT_THAT(report_text(report),
+              testing::HasSubstr("region    physical 2 (steel): 6 tetrahedra, volume 1; "));
+  EXPECT_THAT(report_text(report), testing::HasSubstr("region    entity 2: 6 tetrahedra, volume 1; "));
   const nlohmann::json json = nlohmann::json::parse(report_json(report));
   EXPECT_EQ(json["regions"][0]["kind"], "physical");
   EXPECT_EQ(json["regions"][0]["name"], "steel");
