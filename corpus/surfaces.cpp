@@ -58,7 +58,7 @@ std::optional<double> exact_volume(const std::string& spec) {
 }
 
 SurfaceFile open_surface_file(const std::string& file_or_spec, const ReadOptions& options) {
-  if (is_generated(file_or_spec)) return {make_surface(file_or_spec), {}, {}};
+  if (is_generated(file_or_spec)) return {make_surface(file_or_spec), {}, {}, {}};
   std::error_code unknown;
   if (file_or_spec != "-" && !std::filesystem::exists(file_or_spec, unknown) &&
       file_or_spec.find_first_of("./") == std::string::npos)

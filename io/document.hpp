@@ -249,9 +249,9 @@ bool has_other_cells(const ElementBlock&);
 std::vector<Index> points_of_other_cells(const Document&);
 
 /// The region of each tetrahedron of `tet_mesh(document)`: the first physical group of its block, or its
-/// entity if it has none; for TetGen, its first attribute. Empty if all are in one region, or if attributes
-/// are not whole numbers.
-std::vector<std::int64_t> tet_regions(const Document&);
+/// entity if it has none; for TetGen, its first attribute. A group and an entity of the same number are two
+/// regions. Empty if all are in one region, or if attributes are not whole numbers.
+TetRegions tet_regions(const Document&);
 
 /// The document's faces as triangles: triangles and quadrangles of any order by their corners, and polygons.
 /// Elements of other dimensions are passed over.

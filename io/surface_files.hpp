@@ -11,9 +11,10 @@
 
 namespace tetproof {
 
-/// A surface from a file, with its reader's warnings and the list of what it dropped.
+/// A surface from a file, with the file's numbers, its reader's warnings and the list of what it dropped.
 struct SurfaceFile {
   TriangleSurface surface;
+  SurfaceNumbering numbering;
   std::vector<std::string> warnings;  ///< as in `Document::warnings`
   std::vector<Loss> dropped;          ///< as in `Document::dropped`, as far as it is about the surface
 };

@@ -22,11 +22,14 @@ std::string check_text(const CheckResult& result, const Numbering& numbering = {
 /// What would remain without the faults that concern the mesh as a whole, in lines; empty if there are none.
 std::string if_mended_text(const Report& report, const Numbering& numbering = {}, std::size_t most = 5);
 
-/// "sound: certified, ...", "DEFECTIVE: ..." or "incomplete: ...", and after it what was not judged.
+/// One line without its end that begins with "sound: ", "DEFECTIVE: " or "incomplete: ". It says what was
+/// judged, what was not judged, and what the options left out.
 std::string verdict_text(const Report& report);
+/// The reasons: a line for each item that was not judged or was left out.
+std::string scope_text(const Report& report);
 
-/// The verdict and the checks that failed, causes before their consequences, with the first `most` findings
-/// in all. Warnings, counts and volumes are left out.
+/// The verdict, what was not judged and why, and the checks that failed, causes before their consequences,
+/// with the first `most` findings in all. Warnings, counts and volumes are left out.
 std::string failure_text(const Report& report, const Numbering& numbering = {}, std::size_t most = 5);
 
 }  // namespace tetproof::verify

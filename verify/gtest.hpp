@@ -17,6 +17,7 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
@@ -48,10 +49,11 @@ class Judge {
   Judge(Wanted wanted, Options options) : wanted_(wanted), options_(std::move(options)) {
     options_.quality = false;
   }
-  Judge(TriangleSurface surface, Options options) : Judge(Wanted::filled, std::move(options)) {
+  Judge(TriangleSurface surface, Options options, SurfaceNumbering numbering = {})
+      : Judge(Wanted::filled, std::move(options)) {
     if (options_.region == Region::none) options_.region = Region::inside;
     surface_ = std::make_shared<const TriangleSurface>(std::move(surface));
-    judged_ = std::make_shared<const JudgedSurface>(*surface_);
+    judged_ = std::make_shared<const JudgedSurface>(*surface_, std::move(numbering));
     if (const std::string& fault = judged_->report().fault; !fault.empty()) throw InputError(fault);
   }
 
@@ -62,6 +64,8 @@ class Judge {
     const Document document = read_document(file.string());
     Options options = options_;
     options.unjudged = unjudged(document);
+    const std::vector<NotJudged>& of_surface = options_.unjudged.unread;
+    options.unjudged.unread.insert(options.unjudged.unread.end(), of_surface.begin(), of_surface.end());
     return judge(tet_mesh(document), numbering(document), options, listener);
   }
 
@@ -122,7 +126,10 @@ inline auto Fills(TriangleSurface surface, Options options) {
 }
 /// The surface of a file. InputError when it cannot be read.
 inline auto Fills(const std::filesystem::path& surface, Options options) {
-  return Fills(read_surface(surface.string()), std::move(options));
+  SurfaceFile file = read_surface_file(surface.string());
+  add_unread_surface(options.unjudged, file.dropped);
+  return testing::MakePolymorphicMatcher(
+      gtest_internal::Judge(std::move(file.surface), std::move(options), std::move(file.numbering)));
 }
 /// The inside of the surface, within `tolerance` box diagonals; 0: the surface exactly.
 inline auto Fills(TriangleSurface surface, double tolerance) {
@@ -131,7 +138,9 @@ inline auto Fills(TriangleSurface surface, double tolerance) {
   return Fills(std::move(surface), std::move(options));
 }
 inline auto Fills(const std::filesystem::path& surface, double tolerance) {
-  return Fills(read_surface(surface.string()), tolerance);
+  Options options;
+  options.fidelity = tolerance;
+  return Fills(surface, std::move(options));
 }
 
 }  // namespace verify

@@ -103,6 +103,7 @@ struct CheckResult {
   std::int64_t consequences = 0;  ///< findings that are consequences of another check's, and counted there
   std::optional<double> measured{}, allowed{};
   std::vector<Finding> findings{};  ///< the first of those that `count` counts
+  std::string why{};                ///< the reason, if it was skipped
 };
 
 /// Elements or checks that the verdict does not cover.
@@ -160,7 +161,7 @@ struct Quality {
 /// One region of a mesh of several regions. Its boundary faces belong to one tetrahedron of the region; faces
 /// that it shares with other regions are among them.
 struct RegionAccount {
-  std::int64_t tag = 0;
+  RegionTag tag{};
   Shape shape{};
 };
 
@@ -177,11 +178,15 @@ struct Report {
   /// Absent when a check that it needs was skipped and none failed. If it is given although findings are
   /// allowed, it holds except for these: with cracks closed, and for each part of a non-conforming interface.
   std::optional<bool> certificate;
-  std::vector<Consequence> allowed;   ///< findings that `Options::allow` names, with their counts
-  std::optional<Mended> if_mended;    ///< absent if no fault concerns the mesh as a whole
-  std::vector<NotJudged> not_judged;  ///< elements and checks that the verdict does not cover
+  std::vector<Consequence> allowed;  ///< findings that `Options::allow` names, with their counts
+  std::optional<Mended> if_mended;   ///< absent if no fault concerns the mesh as a whole
+  /// Elements and checks that should have been judged and were not: with any, no verdict is sound.
+  std::vector<NotJudged> not_judged;
+  /// Elements and checks that the options left out. The verdict is about the rest, and says so.
+  std::vector<NotJudged> left_out;
+  bool by_corners = false;  ///< there are curved tetrahedra: all that is said of them is about their corners
   Shape mesh;
-  std::vector<RegionAccount> regions;  ///< ascending by their tags; empty if there is only one region
+  std::vector<RegionAccount> regions;  ///< in the order of their tags; empty if there is only one region
   std::optional<Shape> surface;
   VolumeAccount volume;
   std::optional<Fidelity> fidelity;  ///< absent when no distance was measured

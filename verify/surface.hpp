@@ -33,10 +33,10 @@ struct SurfaceReport {
   std::int64_t genus = 0;                    ///< the sum over the components
 
   /// Empty if the surface is usable. Otherwise one line to print after "FILE: ", with the number of faults
-  /// and the first place: "the surface is open: 12 edges have one triangle (first: 17-243)". Vertices and
-  /// triangles are positions from 0. The line names the first fault in this order: not finite, open,
-  /// non-manifold, not oriented, degenerate, self-intersecting. The values that would be computed after it
-  /// (components, volume) are then absent.
+  /// and the first place: "the surface is open: 12 edges have one triangle (first: 17-243 from (0, 0, 0) to
+  /// (0, 1, 0), of triangle 8)". Vertices and triangles have the file's numbers. The line names the first
+  /// fault in this order: not finite, open, non-manifold, not oriented, degenerate, self-intersecting. The
+  /// values that would be computed after it (components, volume) are then absent.
   std::string fault;
   /// Remarks that are no faults: an inward orientation, a nested shell that points outward.
   std::vector<std::string> notes;
@@ -48,10 +48,10 @@ struct SurfaceReport {
 struct SurfaceJudgement;
 
 /// A surface with its judgement: it is judged once, and any number of meshes can be compared with it. Refers
-/// to the surface, which must outlive it.
+/// to the surface, which must outlive it. What is said of the surface names it by the numbers of `numbering`.
 class JudgedSurface {
  public:
-  explicit JudgedSurface(const TriangleSurface& surface);
+  explicit JudgedSurface(const TriangleSurface& surface, SurfaceNumbering numbering = {});
   const TriangleSurface& surface() const { return *surface_; }
   const SurfaceReport& report() const;
   const SurfaceJudgement& judgement() const { return *judgement_; }  ///< internal to verify/
@@ -62,7 +62,7 @@ class JudgedSurface {
 };
 
 /// Judges a surface. Equal vertices must be welded. Decisions are exact; the report is the same for any
-/// number of threads.
-SurfaceReport judge_surface(const TriangleSurface& surface);
+/// number of threads. Messages name vertices and triangles by the numbers that `numbering` gives them.
+SurfaceReport judge_surface(const TriangleSurface& surface, SurfaceNumbering numbering = {});
 
 }  // namespace tetproof::verify

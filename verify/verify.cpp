@@ -42,7 +42,25 @@ void refuse_unusable(const TetMesh& mesh, const JudgedSurface* surface, const Op
   if (!options.regions.empty() && options.regions.size() != mesh.tets.size())
     throw InputError(fmt::format("regions of {} tetrahedra are given, expected those of all {}",
                                  options.regions.size(), mesh.tets.size()));
+  const auto tags = static_cast<std::int64_t>(options.region_tags.size());
+  for (const std::int64_t region : options.regions)
+    if (tags > 0 && (region < 0 || region >= tags))
+      throw InputError(fmt::format("region {} is given, expected one of the {} region tags", region, tags));
   if (surface && !surface->report().fault.empty()) throw InputError(surface->report().fault);
+}
+
+// What the verdict does not cover, before any check runs.
+void add_scope(const Options& options, Report& report) {
+  const auto add = [](std::vector<NotJudged>& list, const std::vector<NotJudged>& entries) {
+    list.insert(list.end(), entries.begin(), entries.end());
+  };
+  const Unjudged& unjudged = options.unjudged;
+  add(options.only_tets ? report.left_out : report.not_judged, unjudged.elements);
+  add(report.not_judged, unjudged.unread);
+  report.by_corners = unjudged.curved > 0;
+  if (report.by_corners)
+    report.not_judged.push_back({"curved shapes", unjudged.curved,
+                                 "tetrahedra of second or higher order are judged by their corners"});
 }
 
 Shape shape_of_mesh(const TetMesh& mesh, const TetrahedraEvidence& tetrahedra, const Boundary& boundary,
@@ -80,7 +98,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   Report& report = record.report;
   Phases phases(options.timings, report);
   if (surface) report.notes = surface->report().notes;
-  report.not_judged = options.unjudged.elements;
+  add_scope(options, report);
 
   const PointEvidence points = examine_points(mesh, record);
   check_points(mesh, points, options.unjudged, record);
@@ -104,21 +122,26 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   report.mesh = shape_of_mesh(mesh, tetrahedra, boundary.boundary, volumes);
   report.volume.mesh = report.mesh.volume;
   if (!options.regions.empty()) report.regions = account_of_regions(mesh, options.regions, points.excluded);
+  if (!options.region_tags.empty())
+    for (RegionAccount& account : report.regions)
+      account.tag = options.region_tags[static_cast<std::size_t>(account.tag.tag)];
   phases.done("volume");
 
+  const UnjudgedPlaces unjudged(mesh, boundary.boundary, options);
   ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
   examine_interfaces(mesh, points, tetrahedra, cracks, boundary.boundary, contacts, record);
   check_conformity(mesh, boundary.boundary, contacts, record);
   check_cavities(mesh, boundary.boundary, contacts.conformity, volumes,
-                 surface ? right_cavities(options.region, surface->report()) : 0, record);
-  check_manifold(mesh, boundary.boundary, contacts.conformity, record);
+                 surface ? right_cavities(options.region, surface->report()) : 0, unjudged, record);
+  check_manifold(mesh, boundary.boundary, contacts.conformity, unjudged, record);
   check_self_intersection(mesh, boundary.boundary, contacts, record);
   check_overlap(mesh, points, boundary, contacts, record);
   check_interfaces(mesh, points, boundary.boundary, contacts, record);
   phases.done("boundary");
 
   if (surface) {
-    check_against_surface({mesh, points.excluded, boundary.boundary, volumes, options}, *surface, record);
+    check_against_surface({mesh, points.excluded, boundary.boundary, volumes, unjudged, options}, *surface,
+                          record);
     phases.done("against the surface");
   }
   beside.wait();

@@ -2,6 +2,8 @@
 // The judge of a tetrahedral mesh: is it a valid triangulation of a solid, and does it fill the surface?
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,15 +20,25 @@ namespace tetproof::verify {
 /// and an outer boundary of the mesh's own.
 enum class Region { none, inside, outside };
 
-/// The elements of a file that are not judged, because they are no tetrahedra or were not read.
+/// The parts of a file that are not judged: elements that are no tetrahedra, curved shapes, and elements that
+/// were not read.
 struct Unjudged {
-  std::vector<NotJudged> elements{};
-  std::vector<Index> points{};  ///< points of the mesh that such elements use: they are not unused
-  bool points_known = true;     ///< false: such elements may use any point
+  std::vector<NotJudged> elements{};  ///< elements of dimension 3 that are no tetrahedra
+  std::vector<NotJudged> unread{};    ///< elements that the readers of mesh and surface dropped
+  std::int64_t curved = 0;            ///< tetrahedra of which only the corners are judged
+  std::vector<Index> points{};        ///< points of the mesh that `elements` use: they are not unused
+  bool points_known = true;           ///< false: elements of the mesh were not read, and may use any point
+  /// The boxes that hold `elements`, by their least and largest corners [length]: the box of the nodes of
+  /// each
+  std::vector<std::array<Eigen::Vector3d, 2>> boxes{};
+  /// False: some elements are at places that `boxes` does not tell, because they were not read, are of higher
+  /// order, or have nodes without coordinates.
+  bool places_known = true;
 };
 
-/// Finds the elements of a document that are not among the tetrahedra of `tet_mesh(document)`, though they
-/// are part of the mesh: elements that the reader dropped, and elements of dimension 3 of other shapes.
+/// Finds what `tet_mesh(document)` lacks of the mesh in a document: elements that the reader dropped,
+/// elements of dimension 3 of other shapes, and the curved shapes of tetrahedra of higher order. A
+/// tetrahedron of ten nodes is not curved if each of the six others is exactly in the middle of its edge.
 Unjudged unjudged(const Document& document);
 /// Adds the elements that the reader of the surface's file dropped: the mesh is then compared with a part of
 /// the surface only.
@@ -52,7 +64,13 @@ struct Options {
   /// The region of each tetrahedron, from the tags of its element; empty: one region. Regions may share
   /// faces. The mesh is judged as a whole, and each region gets its own account.
   std::vector<std::int64_t> regions{};
-  Unjudged unjudged{};  ///< if there are any such elements, a mesh without defect is not sound but incomplete
+  /// If not empty, `regions` are positions in it, as `tet_regions` gives both; else they are tags.
+  std::vector<RegionTag> region_tags{};
+  Unjudged unjudged{};  ///< if there are any such parts, a mesh without defect is not sound but incomplete
+  /// The tetrahedra alone are judged: `unjudged.elements` count as left out, and the mesh is compared with
+  /// the surface as if they were not there. Curved shapes and elements that were not read are still not
+  /// judged.
+  bool only_tets = false;
   bool timings = false;  ///< quality is measured beside the other phases; its own is the rest
   bool quality = true;   ///< measure angles and aspect ratios
 };

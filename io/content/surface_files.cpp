@@ -39,7 +39,9 @@ SurfaceFile read_surface_file(const std::string& path, const ReadOptions& option
   std::vector<Loss> dropped = std::move(read.document.dropped);
   const std::string read_as = std::move(read.read_as);
   try {
-    return {io::surface_of_read(std::move(read), file), std::move(warnings), std::move(dropped)};
+    SurfaceNumbering numbering;
+    TriangleSurface surface = io::surface_of_read(std::move(read), file, numbering);
+    return {std::move(surface), std::move(numbering), std::move(warnings), std::move(dropped)};
   } catch (const InputError& error) {
     throw InputError(error.what() + read_as);
   }

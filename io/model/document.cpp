@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <map>
+#include <utility>
 
 #include "io/bytes/large_pages.hpp"
 #include "io/model/element_types.hpp"
@@ -42,6 +43,25 @@ std::vector<bool> kept_nodes(const Document& document) {
   std::vector<bool> kept(uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) kept[i] = uses[i] != between_corners;
   return kept;
+}
+
+// The numbers that stand more than once.
+std::vector<RepeatedNumber> repeated(const std::vector<std::int64_t>& numbers) {
+  std::vector<RepeatedNumber> found;
+  if (std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) == numbers.end())
+    return found;
+  std::vector<std::pair<std::int64_t, Index>> sorted;
+  sorted.reserve(numbers.size());
+  for (const std::int64_t number : numbers) sorted.emplace_back(number, static_cast<Index>(sorted.size()));
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0, k; i < sorted.size(); i = k) {
+    for (k = i + 1; k < sorted.size() && sorted[k].first == sorted[i].first;) ++k;
+    for (std::size_t j = i; j < k && k - i > 1; ++j)
+      found.push_back({sorted[j].second, static_cast<std::int32_t>(j - i + 1)});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const RepeatedNumber& a, const RepeatedNumber& b) { return a.at < b.at; });
+  return found;
 }
 
 template <std::size_t Corners>
@@ -118,6 +138,8 @@ Numbering numbering(const Document& document) {
     if (has_shape(block, Shape::tetrahedron))
       for (std::size_t e = 0; e < block.count; ++e)
         names.tets.push_back(document.element_tag(block.first + e));
+  names.repeated_points = repeated(names.points);
+  names.repeated_tets = repeated(names.tets);
   return names;
 }
 
@@ -148,38 +170,52 @@ std::vector<Index> points_of_other_cells(const Document& document) {
   return points;
 }
 
-std::vector<std::int64_t> tet_regions(const Document& document) {
+TetRegions tet_regions(const Document& document) {
   const auto attributes =
       std::find_if(document.element_values.begin(), document.element_values.end(), [&](const Values& values) {
         return document.format == "tetgen" && values.name == "attributes" && !values.reals.empty();
       });
-  std::vector<std::int64_t> regions;  // empty as long as all are equal to the first
-  std::int64_t first = 0;
-  std::size_t alike = 0;
-  const auto add = [&](std::int64_t region, std::size_t count) {
+  enum Kind { physical, entity, attribute };
+  const char* const kinds[] = {document.format == "medit" ? "reference" : "physical", "entity", "attribute"};
+  std::map<std::pair<Kind, std::int64_t>, std::int64_t> regions;  // numbered as they come up
+  TetRegions result;
+  std::size_t alike = 0;  // as long as all are in the first region, they are only counted
+  const auto add = [&](Kind kind, std::int64_t tag, std::size_t count) {
     if (count == 0) return;
-    if (regions.empty() && alike == 0) first = region;
-    if (regions.empty() && region == first) {
+    const std::int64_t region =
+        regions.try_emplace({kind, tag}, static_cast<std::int64_t>(regions.size())).first->second;
+    if (regions.size() == 1) {
       alike += count;
       return;
     }
-    if (regions.empty()) regions.assign(alike, first);
-    regions.insert(regions.end(), count, region);
+    if (result.of_tet.empty()) result.of_tet.assign(alike, 0);
+    result.of_tet.insert(result.of_tet.end(), count, region);
   };
   for (const ElementBlock& block : document.blocks) {
     if (!has_shape(block, Shape::tetrahedron)) continue;
     if (attributes == document.element_values.end()) {
       const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-      add(groups.empty() ? block.entity : groups[0], block.count);
+      groups.empty() ? add(entity, block.entity, block.count) : add(physical, groups[0], block.count);
       continue;
     }
     for (std::size_t e = block.first; e < block.first + block.count; ++e) {
-      const double attribute = attributes->reals[e * static_cast<std::size_t>(attributes->components)];
-      if (!(std::abs(attribute) < 9e15) || attribute != std::floor(attribute)) return {};
-      add(static_cast<std::int64_t>(attribute), 1);
+      const double value = attributes->reals[e * static_cast<std::size_t>(attributes->components)];
+      if (!(std::abs(value) < 9e15) || value != std::floor(value)) return {};
+      add(attribute, static_cast<std::int64_t>(value), 1);
     }
   }
-  return regions;
+  if (regions.size() < 2) return {};
+  std::vector<std::int64_t> place(regions.size());  // of each region among those sorted
+  for (const auto& [key, region] : regions) {
+    place[static_cast<std::size_t>(region)] = static_cast<std::int64_t>(result.tags.size());
+    const auto name = std::find_if(
+        document.group_names.begin(), document.group_names.end(),
+        [&tag = key.second](const GroupName& named) { return named.dim == 3 && named.group == tag; });
+    const bool named = key.first == physical && name != document.group_names.end();
+    result.tags.push_back({kinds[key.first], key.second, named ? name->name : ""});
+  }
+  for (std::int64_t& region : result.of_tet) region = place[static_cast<std::size_t>(region)];
+  return result;
 }
 
 Document document_of(const TetMesh& mesh) {

@@ -15,6 +15,7 @@
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
 #include "io/surface/polygons.hpp"
+#include "io/surface/surface_numbers.hpp"
 
 namespace tetproof {
 namespace io {
@@ -49,7 +50,10 @@ bool is_thin_face(const Document& document, const ElementBlock& block) {
 class Cutter {
  public:
   Cutter(const Document& document, std::vector<Eigen::Vector3d> points, const Places* places)
-      : document_(document), places_(places), points_(points.size()) {
+      : document_(document),
+        places_(places),
+        points_(points.size()),
+        numbers_(document, points_, corners_of_faces) {
     surface_.vertices = std::move(points);
   }
 
@@ -82,6 +86,7 @@ class Cutter {
     }
     return std::move(surface_);
   }
+  SurfaceNumbering numbering() { return std::move(numbers_).take(); }
 
  private:
   // "element 8 WHAT", or "face WHAT" in its place in the file.
@@ -125,13 +130,16 @@ class Cutter {
     for (std::size_t i = 0; i < uses.size(); ++i) {
       moved_[i] = kept;
       if (uses[i] == used) continue;
+      numbers_.move(static_cast<std::size_t>(kept), i);
       surface_.vertices[static_cast<std::size_t>(kept++)] = surface_.vertices[i];
     }
     surface_.vertices.resize(static_cast<std::size_t>(kept));
+    numbers_.keep(surface_.vertices.size());
   }
 
   void weld_points() {
     std::vector<Index> welded = weld(surface_.vertices);
+    numbers_.weld(welded, surface_.vertices.size());
     if (moved_.empty()) {
       moved_ = std::move(welded);
       return;
@@ -141,7 +149,11 @@ class Cutter {
       if (static_cast<std::size_t>(moved) < welded.size()) moved = welded[static_cast<std::size_t>(moved)];
   }
 
-  void add(std::span<const Index> face, std::size_t element);
+  void add(std::span<const Index> face, std::size_t element) {
+    cut(face, element);
+    numbers_.add(element, surface_.triangles.size());
+  }
+  void cut(std::span<const Index> face, std::size_t element);
   std::string unknown_corner(Index corner) const;
 
   Index position(Index node) const { return moved_.empty() ? node : moved_[static_cast<std::size_t>(node)]; }
@@ -151,6 +163,7 @@ class Cutter {
   const std::size_t points_;    // how many the document has
   std::vector<Index> moved_;    // the new position of each point; empty: as it was
   std::vector<Index> corners_;  // of the face at hand
+  SurfaceNumbers numbers_;
   TriangleSurface surface_;
 };
 
@@ -162,7 +175,7 @@ std::string Cutter::unknown_corner(Index corner) const {
                      static_cast<std::int64_t>(points_) - 1 + document_.first_node);
 }
 
-void Cutter::add(std::span<const Index> face, std::size_t element) {
+void Cutter::cut(std::span<const Index> face, std::size_t element) {
   if (face.size() == 3 && face[0] >= 0 && face[1] >= 0 && face[2] >= 0) {  // nearly all faces
     surface_.triangles.push_back({position(face[0]), position(face[1]), position(face[2])});
     return;
@@ -196,10 +209,13 @@ void Cutter::add(std::span<const Index> face, std::size_t element) {
 
 }  // namespace
 
-TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file) {
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering) {
   const Places places{file, read.places, read.text};
   std::vector<Eigen::Vector3d> points = std::move(read.document.points);
-  return Cutter(read.document, std::move(points), read.places.empty() ? nullptr : &places).take(read.welded);
+  Cutter cutter(read.document, std::move(points), read.places.empty() ? nullptr : &places);
+  TriangleSurface surface = cutter.take(read.welded);
+  numbering = cutter.numbering();
+  return surface;
 }
 
 }  // namespace io

@@ -9,7 +9,7 @@
 namespace tetproof::io {
 
 /// `surface_of(read.document)`, see io/document.hpp. The points are moved out of the document. An error names
-/// the element's line or byte in `file` where `read.places` tells it.
-TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file);
+/// the element's line or byte in `file` where `read.places` tells it. `numbering` gets the file's numbers.
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering);
 
 }  // namespace tetproof::io

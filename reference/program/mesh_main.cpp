@@ -109,8 +109,8 @@ class TraceOutput {
 };
 
 verify::JudgedSurface judge(const TriangleSurface& surface, const std::string& name,
-                            const program::Common& common) {
-  verify::JudgedSurface judged(surface);
+                            const program::Common& common, SurfaceNumbering numbering = {}) {
+  verify::JudgedSurface judged(surface, std::move(numbering));
   if (!judged.report().fault.empty()) throw InputError(name + ": " + judged.report().fault);
   for (const std::string& note : judged.report().notes)
     program::say(common, fmt::format("{}: {}", name, note));
@@ -130,13 +130,19 @@ TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, cons
   return fewer;
 }
 
-// The surface without vertices that no triangle names, and says how many there are.
-TriangleSurface used_part(TriangleSurface surface, const Arguments& a, const program::Common& common) {
+// The surface without vertices that no triangle names, and says how many there are. `numbering` follows.
+TriangleSurface used_part(TriangleSurface surface, SurfaceNumbering& numbering, const Arguments& a,
+                          const program::Common& common) {
   std::optional<TriangleSurface> used = io::without_unused_vertices(surface);
   if (!used) return surface;
   const auto left_out = surface.vertices.size() - used->vertices.size();
   program::say(common, fmt::format("{}: without {} that no triangle names", a.surface,
                                    io::counted(left_out, "vertices")));
+  std::vector<std::int64_t> numbers(used->vertices.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers[static_cast<std::size_t>(used->triangles[t][k])] = numbering.vertex(surface.triangles[t][k]);
+  numbering.vertices = std::move(numbers);
   return std::move(*used);
 }
 
@@ -210,10 +216,11 @@ int mesh(const Arguments& a, const program::Common& common) {
   enter("reading");
   SurfaceFile file = corpus::open_surface_file(a.surface, a.read);
   program::report_reading(common, file.warnings, file.dropped);
-  TriangleSurface surface = used_part(std::move(file.surface), a, common);
+  TriangleSurface surface = used_part(std::move(file.surface), file.numbering, a, common);
   const std::size_t triangles_read = surface.triangles.size();
   enter("judging the surface");
-  std::optional<verify::JudgedSurface> judged_surface(judge(surface, a.surface, common));
+  std::optional<verify::JudgedSurface> judged_surface(
+      judge(surface, a.surface, common, std::move(file.numbering)));
   if (a.reduce) {
     enter("reduction");
     surface = reduced(surface, a, common);

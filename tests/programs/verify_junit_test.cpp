@@ -119,7 +119,7 @@ TEST_F(VerifyJunit, AWarningIsNoFailure) {
   ASSERT_EQ(warned.size(), 1u);
   EXPECT_EQ(warned[0]["tag"], "system-out");
   EXPECT_EQ(warned[0]["text"], "warning unused-point: 1\n  vertex 9: belongs to no tetrahedron\n");
-  EXPECT_EQ(test_case(spare, "overlap")["in"][0]["is"]["message"], "left out by the options");
+  EXPECT_EQ(test_case(spare, "overlap")["in"][0]["is"]["message"], "not asked for");
 }
 
 TEST_F(VerifyJunit, HostileFileNames) {

@@ -40,22 +40,39 @@ TEST_F(Verify, RegionsByElementTags) {
   EXPECT_EQ(parts["regions"][1]["volume"], 4.0);
   EXPECT_EQ(parts["regions"][1]["boundary_faces"], 8);
   EXPECT_EQ(report({"cube.ele"}, 0)["regions"], json::array());
-  EXPECT_THAT(run({"parts.ele"}).out, HasSubstr("region 7  3 tetrahedra, volume 4; boundary of 8 faces"));
+  EXPECT_THAT(run({"parts.ele"}).out,
+              HasSubstr("region    attribute 7: 3 tetrahedra, volume 4; boundary of 8 faces"));
 }
 
+// One tetrahedron of second order, with its nodes in Gmsh's order. If all its nodes are exactly in the middle
+// of its edges, its shape is that of its corners.
 TEST_F(Verify, SecondOrderByCorners) {
-  // One tetrahedron of second order, with its nodes in Gmsh's order.
-  files.write(
-      "second.msh",
-      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n"
-      "6 1 1 0\n7 0 1 0\n8 0 0 1\n9 0 1 1\n10 1 0 1\n$EndNodes\n$Elements\n1\n"
-      "1 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n");
-  const json second = report({"second.msh"}, 0);
-  EXPECT_EQ(second["mesh"]["points"], 4);
-  EXPECT_EQ(second["mesh"]["tets"], 1);
-  EXPECT_EQ(second["certificate"], true);
-  ASSERT_EQ(second["notes"].size(), 1);
-  EXPECT_EQ(second["notes"][0], "1 tetrahedron of second or higher order is judged by its corners");
+  const auto second_order = [](const std::string& node_8) {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n"
+           "6 1 1 0\n7 0 1 0\n8 " +
+           node_8 +
+           "\n9 0 1 1\n10 1 0 1\n$EndNodes\n$Elements\n1\n1 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n";
+  };
+  files.write("straight.msh", second_order("0 0 1"));
+  const json straight = report({"straight.msh"}, 0);
+  EXPECT_EQ(straight["mesh"]["points"], 4);
+  EXPECT_EQ(straight["mesh"]["tets"], 1);
+  EXPECT_EQ(straight["certificate"], true);
+  EXPECT_EQ(straight["by_corners"], false);
+  files.write("curved.msh", second_order("0 0 1.0000000000000002"));
+  for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--only-tets"}}) {
+    std::vector<std::string> arguments{"curved.msh"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const json curved = report(arguments, 4);
+    EXPECT_EQ(curved["verdict"], "incomplete");
+    EXPECT_EQ(curved["certificate"], true);
+    EXPECT_EQ(curved["by_corners"], true);
+    ASSERT_EQ(curved["not_judged"].size(), 1);
+    EXPECT_EQ(curved["not_judged"][0]["what"], "curved shapes");
+    EXPECT_EQ(curved["not_judged"][0]["count"], 1);
+  }
+  EXPECT_THAT(run({"curved.msh"}).out,
+              HasSubstr("incomplete: certified by corners: 1 tetrahedron; not judged: 1 curved shape\n"));
 }
 
 TEST_F(Verify, ADefectiveMesh) {
@@ -87,8 +104,9 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
       "5 12 11 4\n8 4 2 1 1 13 14 15 16\n$EndElements\n");
   const Outcome outcome = run({"mixed.msh"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome;
-  EXPECT_THAT(outcome.out, HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedron (only "
-                                     "tetrahedra are judged; the first is element 7)\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr(": incomplete: certified: 7 tetrahedra; not judged: 1 hexahedron\nunjudged  1 "
+                        "hexahedron: only tetrahedra are judged; the first is element 7\n"));
   const json mixed = report({"mixed.msh"}, 4);
   EXPECT_EQ(mixed["verdict"], "incomplete");
   EXPECT_EQ(mixed["certificate"], true);
@@ -97,6 +115,15 @@ TEST_F(Verify, AMixedMeshIsIncomplete) {
   EXPECT_EQ(mixed["not_judged"][0]["count"], 1);
   EXPECT_EQ(check(mixed, "unused-point")["verdict"], "pass");
   EXPECT_EQ(report({"cube.node"}, 0)["not_judged"], json::array());
+
+  const json alone = report({"mixed.msh", "--only-tets"}, 0);
+  EXPECT_EQ(alone["verdict"], "sound");
+  EXPECT_EQ(alone["not_judged"], json::array());
+  EXPECT_EQ(alone["left_out"], mixed["not_judged"]);
+  EXPECT_EQ(check(alone, "unused-point")["verdict"], "pass");
+  EXPECT_THAT(run({"mixed.msh", "--only-tets"}).out,
+              HasSubstr(": sound: certified: 7 tetrahedra, a valid triangulation of a solid; left out: 1 "
+                        "hexahedron\n"));
 }
 
 // The second $Elements is behind a word that is no section, so that it is not read.
@@ -107,7 +134,8 @@ TEST_F(Verify, AMeshWithNumbersBehindTheLastSectionIsIncomplete) {
   files.write("more.msh", sections + "more\n$Elements\n1\n2 4 2 1 1 1 3 2 4\n$EndElements\n");
   const Outcome more = run({"more.msh"});
   EXPECT_EQ(more.exit_code, 4) << more;
-  EXPECT_THAT(more.out, HasSubstr("; not judged: 48 bytes behind the last section (not read: byte "));
+  EXPECT_THAT(more.out, HasSubstr("; not judged: 48 bytes behind the last section, check unused-point\n"
+                                  "unjudged  48 bytes behind the last section: not read: byte "));
   files.write("text.msh", sections + "by hand\n");
   EXPECT_EQ(run({"text.msh"}).exit_code, 0);
 }
@@ -152,6 +180,33 @@ TEST_F(Verify, ChecksAreChosenById) {
   EXPECT_EQ(some["certificate"], nullptr);
   EXPECT_EQ(check(some, "inverted")["verdict"], "skipped");
   EXPECT_EQ(check(report({"bad.node", "--skip", "inverted"}, 1), "inverted")["verdict"], "skipped");
+  // The first line says that the verdict is about these checks alone.
+  EXPECT_THAT(run({"cube.node", "--check", "duplicate-point"}).out,
+              HasSubstr(": sound: only as far as asked: 6 tetrahedra without a certificate; left out: 18 "
+                        "checks\n"));
+  EXPECT_EQ(some["left_out"][0]["count"], 17);
+  // Checks that are asked for and cannot be made.
+  const std::vector<std::pair<std::vector<std::string>, std::string>> not_made{
+      {{"--check", "flat", "--skip", "flat"}, "asked for and skipped at once"},
+      {{"--check", "flat,volume-surface"}, "needs a surface"},
+      {{"cube.off", "--region", "none", "--check", "topology"},
+       "region none: the mesh is not compared with the surface"},
+      {{"cube.off", "--voxels", "0", "--check", "missing-region"}, "no voxels are asked for"},
+  };
+  for (const auto& [options, why] : not_made) {
+    std::vector<std::string> arguments{"cube.node"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const json asked = report(arguments, 4);
+    EXPECT_EQ(asked["verdict"], "incomplete");
+    ASSERT_EQ(asked["not_judged"].size(), 1u) << asked["not_judged"];
+    EXPECT_EQ(asked["not_judged"][0]["why"], why);
+  }
+  // Not asked for by its id, so that it is only left out.
+  const json without = report({"cube.node", "cube.off", "--voxels", "0"}, 0);
+  EXPECT_EQ(without["not_judged"], json::array());
+  EXPECT_EQ(without["left_out"][0]["what"], "checks missing-region, excess-region, volume-voxel");
+  EXPECT_EQ(check(without, "missing-region")["why"], "no voxels are asked for");
+  EXPECT_EQ(report({"bad.node", "--check", "inverted,flat", "--skip", "flat"}, 1)["not_judged"].size(), 1u);
   const Outcome list = run({"--list-checks"});
   EXPECT_EQ(list.exit_code, 0);
   for (const char* id : {"index-range", "overlap", "volume-voxel"})

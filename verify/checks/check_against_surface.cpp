@@ -161,6 +161,34 @@ void name_region(const RegionEvidence& regions, Record& record) {
   record[Check::off_surface_vertex].cause = [at = regions.at_off_vertex](std::size_t i) { return at[i]; };
 }
 
+// Checks of which the mesh's unjudged parts leave nothing. A region that the tetrahedra have in excess is in
+// excess whatever the other elements fill.
+void leave_unjudged(const JudgedMesh& mesh, Record& record) {
+  if (mesh.unjudged.any())
+    record.could_not_run(
+        {Check::topology, Check::volume_surface, Check::volume_voxel, Check::surface_to_mesh},
+        "elements that are not judged may fill a part of the region");
+  if (mesh.unjudged.any() && !mesh.unjudged.known())
+    record.could_not_run({Check::missing_region}, "elements that are not judged may be anywhere");
+  if (record.report.by_corners)
+    record.could_not_run(
+        {Check::missing_region, Check::excess_region, Check::volume_surface, Check::volume_voxel,
+         Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+        "the tetrahedra are curved between their corners");
+}
+
+// Boundary faces of tetrahedra that may be inside the mesh, because elements that are not judged are there.
+void leave_faces_at_unjudged(const Comparison& comparison, Record& record) {
+  if (comparison.at_unjudged == 0) return;
+  constexpr const char* why = "they are at elements that are not judged, and may be inside the mesh";
+  if (comparison.faces.empty())
+    record.could_not_run({Check::off_surface_vertex, Check::mesh_to_surface, Check::normals},
+                         fmt::format("all boundary faces of the tetrahedra: {}", why));
+  else if (record.wants(Check::off_surface_vertex) || record.wants(Check::mesh_to_surface) ||
+           record.wants(Check::normals))
+    record.report.not_judged.push_back({"boundary faces", comparison.at_unjudged, why});
+}
+
 }  // namespace
 
 std::size_t right_cavities(Region region, const SurfaceReport& surface) {
@@ -192,12 +220,15 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     return;
   }
 
-  if (options.coarse) record.leave_out({Check::normals});
+  leave_unjudged(mesh, record);
+  if (options.coarse) record.does_not_apply({Check::normals}, "a grid from a coarse lattice");
   if (options.voxels == 0)
-    record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel});
+    record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel},
+                     "no voxels are asked for");
   const VoxelEvidence voxels = examine_voxels(surface, options, record);
   const Comparison comparison(mesh, surface, own);
   check_bounding_box(comparison, record);
+  leave_faces_at_unjudged(comparison, record);
   RegionEvidence regions;
   if (comparison.mesh_tree) {
     if (record.wants(Check::topology)) check_topology(comparison, record);
@@ -213,6 +244,7 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
   }
   note_thin_solid(surface.report(), comparison.allowed, report);
+  if (mesh.unjudged.any() || report.by_corners) return name_region(regions, record);
   const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   check_volume_surface(volumes, record);
   check_volume_voxel(volumes, options.region, voxels, record);

@@ -8,6 +8,7 @@
 #include "verify/checks/record.hpp"
 #include "verify/mesh/boundary.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
+#include "verify/mesh/unjudged_places.hpp"
 
 namespace tetproof::verify {
 
@@ -17,6 +18,7 @@ struct JudgedMesh {
   const std::vector<std::uint8_t>& excluded;  ///< tetrahedra without geometry; empty: none
   const Boundary& boundary;
   const MeshVolumes& volumes;
+  const UnjudgedPlaces& unjudged;
   const Options& options;
 };
 

@@ -45,6 +45,20 @@ std::vector<Index> cavities(const Boundary& boundary, const MeshVolumes& volumes
   return found;
 }
 
+// Drops the cavities with a vertex at an unjudged element, and counts them as not judged.
+void leave_unjudged(const Boundary& boundary, const UnjudgedPlaces& unjudged, std::vector<Index>& sheets,
+                    Record& record) {
+  if (!unjudged.any() || sheets.empty()) return;
+  std::vector<std::uint8_t> touched(boundary.sheets.sheets.size(), 0);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    for (const Index v : boundary.triangles[f])
+      if (const Index sheet = boundary.sheets.of_triangle[f]; sheet >= 0 && unjudged.at(v))
+        touched[sheet] = 1;
+  if (const auto count = std::erase_if(sheets, [&](Index sheet) { return touched[sheet] != 0; }))
+    record.report.not_judged.push_back(
+        {"cavities", static_cast<std::int64_t>(count), "elements that are not judged may fill them"});
+}
+
 struct Hole {
   Sheet sheet;
   double volume;             // negative
@@ -91,9 +105,11 @@ std::optional<Cause> cause_of(const Hole& hole, const Conformity& conformity) {
 }  // namespace
 
 void check_cavities(const TetMesh& mesh, const Boundary& boundary, const Conformity& conformity,
-                    const MeshVolumes& volumes, std::size_t right_cavities, Record& record) {
+                    const MeshVolumes& volumes, std::size_t right_cavities, const UnjudgedPlaces& unjudged,
+                    Record& record) {
   if (!record.wants(Check::cavity)) return;
   std::vector<Index> wrong = cavities(boundary, volumes);
+  leave_unjudged(boundary, unjudged, wrong, record);
   wrong.resize(wrong.size() - std::min(wrong.size(), right_cavities));
   const std::vector<Hole> holes = holes_of(boundary, volumes, wrong);
   record[Check::cavity] = {

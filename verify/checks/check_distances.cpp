@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "verify/checks/surface_comparison.hpp"
+#include "verify/checks/surface_names.hpp"
 #include "verify/distance/directed_distance.hpp"
 #include "verify/triangles/chunks.hpp"
 #include "verify/triangles/on_triangle.hpp"
@@ -92,11 +93,11 @@ void check_vertices(const Comparison& c, const DistanceEvidence& evidence, Recor
       .count = off.size(),
       .finding = [off](std::size_t i) { return Finding{.vertices = {off[i].vertex}}; },
       .describe =
-          [off, &points = c.judged_mesh.mesh.points, allowed = c.allowed](std::size_t i, Finding& finding) {
+          [off, &points = c.judged_mesh.mesh.points, allowed = c.allowed, &numbering = c.judged.numbering](
+              std::size_t i, Finding& finding) {
             finding.point = points[static_cast<std::size_t>(off[i].vertex)];
-            finding.what =
-                fmt::format("the vertex is {:.6g} from the surface, allowed {:.6g}; nearest triangle {}",
-                            off[i].distance, allowed, off[i].nearest);
+            finding.what = fmt::format("the vertex is {:.6g} from the surface, allowed {:.6g}; nearest {}",
+                                       off[i].distance, allowed, triangle_name(numbering, off[i].nearest));
           }};
 }
 
@@ -139,6 +140,10 @@ Comparison::Comparison(const JudgedMesh& mesh, const JudgedSurface& judged_surfa
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     const Index sheet = mesh.boundary.sheets.of_triangle[i];
     if (sheet >= 0 && own[sheet]) continue;
+    if (mesh.unjudged.at(boundary[i])) {
+      ++at_unjudged;
+      continue;
+    }
     faces.push_back(boundary[i]);
     ids.push_back(mesh.boundary.faces[i]);
     sheets.push_back(sheet);
@@ -193,8 +198,8 @@ void check_distances(const Comparison& c, const DistanceEvidence& evidence, Reco
     record[Check::mesh_to_surface] =
         too_far(c, *d, d->triangle,
                 fmt::format("the face is {:.6g} from the surface here, at most {:.6g} anywhere, allowed "
-                            "{:.6g}; nearest triangle {}",
-                            d->lower, d->upper, c.allowed, d->nearest),
+                            "{:.6g}; nearest {}",
+                            d->lower, d->upper, c.allowed, triangle_name(c.judged.numbering, d->nearest)),
                 evidence.off_vertices);
   if (!record.wants(Check::surface_to_mesh)) return;
   CheckResult& result = record.result(Check::surface_to_mesh);
@@ -205,9 +210,9 @@ void check_distances(const Comparison& c, const DistanceEvidence& evidence, Reco
   } else if (const auto& d = evidence.to_mesh; is_larger(*d, c.allowed, result)) {
     record[Check::surface_to_mesh] =
         too_far(c, *d, d->nearest,
-                fmt::format("the surface's triangle {} is {:.6g} from the mesh's boundary here, at most "
+                fmt::format("the surface's {} is {:.6g} from the mesh's boundary here, at most "
                             "{:.6g} anywhere, allowed {:.6g}; the face is the nearest",
-                            d->triangle, d->lower, d->upper, c.allowed),
+                            triangle_name(c.judged.numbering, d->triangle), d->lower, d->upper, c.allowed),
                 evidence.off_vertices);
   }
 }

@@ -60,28 +60,47 @@ std::optional<Cause> cause_at_edge(const Conformity& conformity, const std::vect
   return others <= 2 ? first : std::nullopt;
 }
 
+// Drops the places at unjudged elements, and counts them as not judged.
+template <class Place, class At>
+void leave_unjudged(std::vector<Place>& places, const char* what, const At& at, Record& record) {
+  if (const auto count = std::erase_if(places, at))
+    record.report.not_judged.push_back(
+        {what, static_cast<std::int64_t>(count),
+         "they are at elements that are not judged, and may be inside the mesh"});
+}
+
 }  // namespace
 
 void check_manifold(const TetMesh& mesh, const Boundary& boundary, const Conformity& conformity,
-                    Record& record) {
-  const auto& edges = boundary.edges.nonmanifold;
-  if (record.wants(Check::boundary_nonmanifold_edge))
+                    const UnjudgedPlaces& unjudged, Record& record) {
+  if (record.wants(Check::boundary_nonmanifold_edge)) {
+    std::vector<std::vector<Side>> edges = boundary.edges.nonmanifold;
+    leave_unjudged(
+        edges, "non-manifold edges",
+        [&](const std::vector<Side>& sides) {
+          return unjudged.at(from(boundary.triangles, sides[0])) &&
+                 unjudged.at(to(boundary.triangles, sides[0]));
+        },
+        record);
     record[Check::boundary_nonmanifold_edge] = {
         .count = edges.size(),
-        .finding = [&boundary, &edges](std::size_t i) { return edge_finding(boundary, edges[i]); },
+        .finding = [&boundary, edges](std::size_t i) { return edge_finding(boundary, edges[i]); },
         .describe =
             [](std::size_t, Finding& finding) {
               finding.what = fmt::format("this edge has {}, expected two",
                                          io::counted(finding.faces.size(), "boundary faces"));
             },
-        .cause = [&conformity, &edges](std::size_t i) { return cause_at_edge(conformity, edges[i]); }};
-  if (record.wants(Check::boundary_nonmanifold_vertex))
+        .cause = [&conformity, edges](std::size_t i) { return cause_at_edge(conformity, edges[i]); }};
+  }
+  if (record.wants(Check::boundary_nonmanifold_vertex)) {
+    std::vector<Index> pinched = boundary.pinched;
+    leave_unjudged(
+        pinched, "non-manifold vertices", [&](Index v) { return unjudged.at(v); }, record);
     record[Check::boundary_nonmanifold_vertex] = {
-        .count = boundary.pinched.size(),
-        .finding = [&boundary](std::size_t i) { return Finding{.vertices = {boundary.pinched[i]}}; },
+        .count = pinched.size(),
+        .finding = [pinched](std::size_t i) { return Finding{.vertices = {pinched[i]}}; },
         .describe =
-            [&mesh, &boundary, faces = faces_at(boundary, boundary.pinched)](std::size_t i,
-                                                                             Finding& finding) {
+            [&mesh, &boundary, faces = faces_at(boundary, pinched)](std::size_t i, Finding& finding) {
               for (const FaceId face : faces[i]) finding.tets.push_back(tet_of(face));
               std::sort(finding.tets.begin(), finding.tets.end());
               finding.tets.erase(std::unique(finding.tets.begin(), finding.tets.end()), finding.tets.end());
@@ -92,8 +111,8 @@ void check_manifold(const TetMesh& mesh, const Boundary& boundary, const Conform
               finding.what =
                   fmt::format("the boundary faces at this vertex form {} fans, expected one", last - first);
             },
-        .cause = [first = first_causes(boundary, conformity, boundary.pinched)](
-                     std::size_t i) { return first[i]; }};
+        .cause = [first = first_causes(boundary, conformity, pinched)](std::size_t i) { return first[i]; }};
+  }
 }
 
 }  // namespace tetproof::verify

@@ -9,6 +9,7 @@
 #include "verify/checks/surface_comparison.hpp"
 #include "verify/mesh/tets_at.hpp"
 #include "verify/voxel_volume.hpp"
+#include "verify/voxels/box_voxels.hpp"
 #include "verify/voxels/deep_voxels.hpp"
 
 namespace tetproof::verify {
@@ -89,7 +90,8 @@ RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvide
   const TriangleSurface mesh = surface_of(judged.mesh, judged.boundary.triangles);
   // Depth in what is missing is the distance from the mesh, its own outer boundary included.
   std::optional<TriangleTree> whole_boundary;
-  if (!outer.empty()) whole_boundary.emplace(TriangleSet{judged.mesh.points, boundary}, c.mesh_tree->units());
+  if (!outer.empty() || c.at_unjudged > 0)
+    whole_boundary.emplace(TriangleSet{judged.mesh.points, boundary}, c.mesh_tree->units());
   const TriangleTree& mesh_tree = whole_boundary ? *whole_boundary : *c.mesh_tree;
 
   std::vector<Eigen::Vector3d> off;
@@ -114,10 +116,13 @@ RegionEvidence check_missing_and_excess(const Comparison& c, const DistanceEvide
     const Voxels& voxels = *made;
     const double voxel_volume = voxels.lattice.h * voxels.lattice.h * voxels.lattice.h;
     const bool missing = check == Check::missing_region;
+    VoxelBits wrong = missing ? voxels.wanted.without(voxels.in_mesh) : voxels.in_mesh.without(voxels.wanted);
+    // An element that is not judged may fill the voxels in its box, and reach the surface within the allowed
+    // distance.
+    if (missing && judged.unjudged.any())
+      wrong = wrong.without(voxels_in_boxes(judged.unjudged.boxes(), c.allowed, voxels.lattice));
     const DeepVoxels deep =
-        deep_voxels(voxels.lattice,
-                    missing ? voxels.wanted.without(voxels.in_mesh) : voxels.in_mesh.without(voxels.wanted),
-                    missing ? mesh_tree : *c.surface_tree, c.allowed, voxels.met, off);
+        deep_voxels(voxels.lattice, wrong, missing ? mesh_tree : *c.surface_tree, c.allowed, voxels.met, off);
     const char* const is = missing ? "not filled by the mesh" : "in the mesh and should not be";
     const char* const from = missing                                    ? "mesh"
                              : judged.options.region == Region::outside ? "outside of the surface"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "verify/checks/surface_comparison.hpp"
+#include "verify/checks/surface_names.hpp"
 #include "verify/triangles/winding.hpp"
 
 namespace tetproof::verify {
@@ -55,8 +56,9 @@ void check_topology(const Comparison& c, Record& record) {
     differences.push_back(std::move(finding));
   };
   const auto name = [&](std::size_t component) {
-    return fmt::format("the surface's component {} (triangle {} and {} more)", component,
-                       components[component].first_triangle, components[component].triangles - 1);
+    return fmt::format("the surface's component {} ({} and {} more)", component,
+                       triangle_name(c.judged.numbering, components[component].first_triangle),
+                       components[component].triangles - 1);
   };
   // In a mesh around the solid, the boundary at a cavity of the solid encloses a positive volume.
   const auto is_cavity = [&](const Part& part) {

@@ -16,6 +16,7 @@
 #include "verify/mesh/cracks.hpp"
 #include "verify/mesh/mesh_volumes.hpp"
 #include "verify/mesh/orientation.hpp"
+#include "verify/mesh/unjudged_places.hpp"
 #include "verify/triangles/intersections.hpp"
 
 namespace tetproof::verify {
@@ -93,11 +94,14 @@ void check_self_intersection(const TetMesh& mesh, const Boundary& boundary, cons
 /// overlap.
 void check_overlap(const TetMesh& mesh, const PointEvidence& points, const BoundaryEvidence& boundary,
                    const ContactEvidence& contacts, Record& record);
-/// cavity. The largest `right_cavities` cavities are as they should be.
+/// cavity. The largest `right_cavities` cavities are as they should be. Those at unjudged elements are not
+/// judged: these may fill them.
 void check_cavities(const TetMesh& mesh, const Boundary& boundary, const Conformity& conformity,
-                    const MeshVolumes& volumes, std::size_t right_cavities, Record& record);
-/// boundary-nonmanifold-edge, boundary-nonmanifold-vertex.
-void check_manifold(const TetMesh& mesh, const Boundary& boundary, const Conformity& conformity,
+                    const MeshVolumes& volumes, std::size_t right_cavities, const UnjudgedPlaces& unjudged,
                     Record& record);
+/// boundary-nonmanifold-edge, boundary-nonmanifold-vertex. Those at unjudged elements are not judged: they
+/// may be inside the mesh.
+void check_manifold(const TetMesh& mesh, const Boundary& boundary, const Conformity& conformity,
+                    const UnjudgedPlaces& unjudged, Record& record);
 
 }  // namespace tetproof::verify

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <utility>
 
 #include "io/bytes/words.hpp"
 #include "verify/checks/surface_judgement.hpp"
+#include "verify/checks/surface_names.hpp"
 #include "verify/mesh/volumes.hpp"
 #include "verify/triangles/edges.hpp"
 #include "verify/triangles/intersections.hpp"
@@ -23,65 +25,74 @@ std::string plural(std::integral auto n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-std::string edge_name(std::span<const Triangle> triangles, Side s) {
-  return fmt::format("{}-{}", std::min(from(triangles, s), to(triangles, s)),
-                     std::max(from(triangles, s), to(triangles, s)));
-}
+// A surface and its file's numbers.
+struct Named {
+  const TriangleSurface& surface;
+  const SurfaceNumbering& numbering;
 
-std::string triangle_name(const TriangleSurface& surface, Index t) {
-  const Triangle& v = surface.triangles[t];
-  return fmt::format("{} ({} {} {})", t, v[0], v[1], v[2]);
-}
+  std::string triangle(Index t) const { return triangle_place(surface, numbering, t); }
+  // "17-243 from (0, 0, 0) to (0, 1, 0)"
+  std::string edge(Side s) const {
+    const Index a = std::min(from(surface.triangles, s), to(surface.triangles, s)),
+                b = std::max(from(surface.triangles, s), to(surface.triangles, s));
+    const std::string numbers =
+        numbering.numbers_vertices ? fmt::format("{}-{} ", numbering.vertex(a), numbering.vertex(b)) : "";
+    return fmt::format("{}from {} to {}", numbers, place_name(surface.vertices[a]),
+                       place_name(surface.vertices[b]));
+  }
+};
 
-std::string fault_of_numbers(const TriangleSurface& surface) {
+std::string fault_of_numbers(const Named& named) {
+  const TriangleSurface& surface = named.surface;
   const auto vertices = static_cast<Index>(surface.vertices.size());
   if (surface.triangles.empty()) return "the surface has no triangles";
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const Index v : surface.triangles[t]) {
-      if (v < 0 || v >= vertices)
-        return fmt::format("triangle {} names vertex {}, expected one of 0..{}", t, v, vertices - 1);
-      const Eigen::Vector3d& p = surface.vertices[v];
-      if (!p.allFinite())
-        return fmt::format("vertex {} of triangle {} is not finite: ({}, {}, {})", v, t, p.x(), p.y(), p.z());
+      const bool exists = v >= 0 && v < vertices;
+      if (exists && surface.vertices[v].allFinite()) continue;
+      const std::string triangle = triangle_name(named.numbering, static_cast<Index>(t));
+      if (!exists) return fmt::format("{} names vertex {}, expected one of 0..{}", triangle, v, vertices - 1);
+      return fmt::format(
+          "{} of {} is not finite: {}",
+          named.numbering.numbers_vertices ? fmt::format("vertex {}", named.numbering.vertex(v)) : "a corner",
+          triangle, place_name(surface.vertices[v]));
     }
   return "";
 }
 
-std::string fault_of_connections(const TriangleSurface& surface, const EdgeMatching& edges,
-                                 const Sheets& sheets) {
-  const std::span<const Triangle> triangles = surface.triangles;
+std::string fault_of_connections(const Named& named, const EdgeMatching& edges, const Sheets& sheets) {
   if (!edges.open.empty())
-    return fmt::format("the surface is open: {} one triangle (first: {})",
-                       plural(edges.open.size(), "edge has", "edges have"),
-                       edge_name(triangles, edges.open.front()));
+    return fmt::format("the surface is open: {} one triangle (first: {}, of {})",
+                       plural(edges.open.size(), "edge has", "edges have"), named.edge(edges.open.front()),
+                       triangle_name(named.numbering, edges.open.front() / 3));
   if (!edges.nonmanifold.empty())
     return fmt::format("the surface is not manifold: {} more than two triangles (first: {} has {})",
                        plural(edges.nonmanifold.size(), "edge has", "edges have"),
-                       edge_name(triangles, edges.nonmanifold.front().front()),
-                       edges.nonmanifold.front().size());
-  if (const std::vector<Index> vertices = repeated(sheets.vertices_of_fans); !vertices.empty()) {
-    const Eigen::Vector3d& p = surface.vertices[vertices.front()];
+                       named.edge(edges.nonmanifold.front().front()), edges.nonmanifold.front().size());
+  if (const std::vector<Index> vertices = repeated(sheets.vertices_of_fans); !vertices.empty())
     return fmt::format(
-        "the surface is not manifold: {} more than one fan of triangles (first: {} at ({}, {}, {}))",
-        plural(vertices.size(), "vertex has", "vertices have"), vertices.front(), p.x(), p.y(), p.z());
+        "the surface is not manifold: {} more than one fan of triangles (first: {}at {})",
+        plural(vertices.size(), "vertex has", "vertices have"),
+        named.numbering.numbers_vertices ? fmt::format("{} ", named.numbering.vertex(vertices.front())) : "",
+        place_name(named.surface.vertices[vertices.front()]));
+  if (!edges.same_direction.empty()) {
+    const auto& sides = edges.same_direction.front();
+    return fmt::format(
+        "the surface is not consistently oriented: {} run twice in the same direction (first: {}, by {} and "
+        "{})",
+        plural(edges.same_direction.size(), "edge is", "edges are"), named.edge(sides[0]),
+        triangle_name(named.numbering, sides[0] / 3), triangle_name(named.numbering, sides[1] / 3));
   }
-  if (!edges.same_direction.empty())
-    return fmt::format(
-        "the surface is not consistently oriented: {} run twice in the same direction (first: {}, by "
-        "triangles {} and {})",
-        plural(edges.same_direction.size(), "edge is", "edges are"),
-        edge_name(triangles, edges.same_direction.front()[0]), edges.same_direction.front()[0] / 3,
-        edges.same_direction.front()[1] / 3);
   return "";
 }
 
-std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate& degenerate,
-                               const EdgeMatching& edges) {
+std::string fault_of_triangles(const Named& named, const Degenerate& degenerate, const EdgeMatching& edges) {
+  const TriangleSurface& surface = named.surface;
   if (degenerate.count > 0) {
     const auto first =
         std::find(degenerate.triangles.begin(), degenerate.triangles.end(), 1) - degenerate.triangles.begin();
     return fmt::format("{} no area (first: {})", plural(degenerate.count, "triangle has", "triangles have"),
-                       triangle_name(surface, static_cast<Index>(first)));
+                       named.triangle(static_cast<Index>(first)));
   }
   std::int64_t twice = 0;
   Index first = -1;
@@ -92,26 +103,27 @@ std::string fault_of_triangles(const TriangleSurface& surface, const Degenerate&
   }
   if (twice > 0)
     return fmt::format("{} twice (first: {} and {})",
-                       plural(twice, "triangle is listed", "triangles are listed"),
-                       triangle_name(surface, first), edges.mate[3 * first] / 3);
+                       plural(twice, "triangle is listed", "triangles are listed"), named.triangle(first),
+                       triangle_name(named.numbering, edges.mate[3 * first] / 3));
   const Intersections meetings = self_intersections(surface.vertices, surface.triangles, {}, 1);
   if (meetings.count > 0)
-    return fmt::format(
-        "the surface intersects itself: {}{} (first: {} and {})", meetings.more ? "more than " : "",
-        plural(meetings.count, "pair of triangles meets", "pairs of triangles meet"),
-        triangle_name(surface, meetings.pairs[0][0]), triangle_name(surface, meetings.pairs[0][1]));
+    return fmt::format("the surface intersects itself: {}{} (first: {} and {})",
+                       meetings.more ? "more than " : "",
+                       plural(meetings.count, "pair of triangles meets", "pairs of triangles meet"),
+                       named.triangle(meetings.pairs[0][0]), named.triangle(meetings.pairs[0][1]));
   return "";
 }
 
-std::string component_name(const SurfaceReport& report, std::size_t i) {
+std::string component_name(const Named& named, const SurfaceReport& report, std::size_t i) {
   const SurfaceComponent& c = report.components[i];
   return fmt::format("component {} ({} from {}, volume {:.6g})", i, io::counted(c.triangles, "triangles"),
-                     c.first_triangle, c.volume);
+                     named.triangle(c.first_triangle), c.volume);
 }
 
 // Judges the components: their volumes and depths, and whether their orientations agree on what is inside.
 void judge_components(const TriangleSurface& surface, const Sheets& sheets, SurfaceJudgement& judgement) {
   SurfaceReport& report = judgement.report;
+  const Named named{surface, judgement.numbering};
   const std::size_t n = sheets.sheets.size();
   judgement.component_of = sheets.of_triangle;
   const ExactVolumes& volumes =
@@ -142,9 +154,9 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
       return count > 1 ? fmt::format(" and {} more", count - 1) : "";
     };
     report.fault = fmt::format("the surface is not consistently oriented: {}{} inward, but {}{} outward, {}",
-                               component_name(report, inward[parity][0]),
+                               component_name(named, report, inward[parity][0]),
                                more(inward[parity].size()) + (inward[parity].size() > 1 ? " are" : " is"),
-                               component_name(report, outward[parity][0]),
+                               component_name(named, report, outward[parity][0]),
                                more(outward[parity].size()) + (outward[parity].size() > 1 ? " are" : " is"),
                                parity == 0 ? "none of them in a cavity" : "all of them inside others");
     return;
@@ -156,7 +168,7 @@ void judge_components(const TriangleSurface& surface, const Sheets& sheets, Surf
     report.notes.push_back(
         fmt::format("{} lies inside another and is oriented like it; parity decides what is inside, so it "
                     "bounds a cavity",
-                    component_name(report, nested[0])));
+                    component_name(named, report, nested[0])));
 }
 
 // The area in squares of `unit`, a power of two. Where the triangles are not far smaller than the unit, no
@@ -184,23 +196,26 @@ std::int64_t SurfaceReport::cavities() const {
                        [](const SurfaceComponent& c) { return c.depth % 2 == 1; });
 }
 
-SurfaceReport judge_surface(const TriangleSurface& surface) {
-  return judge(surface).report;
+SurfaceReport judge_surface(const TriangleSurface& surface, SurfaceNumbering numbering) {
+  return judge(surface, std::move(numbering)).report;
 }
 
-JudgedSurface::JudgedSurface(const TriangleSurface& surface)
-    : surface_(&surface), judgement_(std::make_shared<SurfaceJudgement>(judge(surface))) {}
+JudgedSurface::JudgedSurface(const TriangleSurface& surface, SurfaceNumbering numbering)
+    : surface_(&surface),
+      judgement_(std::make_shared<SurfaceJudgement>(judge(surface, std::move(numbering)))) {}
 
 const SurfaceReport& JudgedSurface::report() const {
   return judgement_->report;
 }
 
-SurfaceJudgement judge(const TriangleSurface& surface) {
+SurfaceJudgement judge(const TriangleSurface& surface, SurfaceNumbering numbering) {
   SurfaceJudgement judgement;
+  judgement.numbering = std::move(numbering);
+  const Named named{surface, judgement.numbering};
   SurfaceReport& report = judgement.report;
   report.vertices = static_cast<std::int64_t>(surface.vertices.size());
   report.triangles = static_cast<std::int64_t>(surface.triangles.size());
-  report.fault = fault_of_numbers(surface);
+  report.fault = fault_of_numbers(named);
   if (!report.fault.empty()) return judgement;
 
   report.box_min = report.box_max = surface.vertices[surface.triangles[0][0]];
@@ -224,10 +239,10 @@ SurfaceJudgement judge(const TriangleSurface& surface) {
   }
   const EdgeMatching edges = match_edges(surface.triangles, surface.vertices.size(), excluded);
   const Sheets sheets = find_sheets(surface.triangles, edges.mate, excluded);
-  report.fault = fault_of_connections(surface, edges, sheets);
+  report.fault = fault_of_connections(named, edges, sheets);
   if (report.fault.empty())
     report.fault =
-        fault_of_triangles(surface, degenerate_triangles(surface.vertices, surface.triangles), edges);
+        fault_of_triangles(named, degenerate_triangles(surface.vertices, surface.triangles), edges);
   if (report.fault.empty()) judge_components(surface, sheets, judgement);
   return judgement;
 }

@@ -10,10 +10,14 @@
 
 namespace tetproof::verify {
 
-Record::Record(const Options& options, bool with_surface) {
-  wanted_.fill(options.check.empty());
-  for (const std::string& id : options.check) wanted_[static_cast<std::size_t>(check_of_id(id))] = true;
-  for (const std::string& id : options.skip) wanted_[static_cast<std::size_t>(check_of_id(id))] = false;
+Record::Record(const Options& options, bool with_surface) : by_id_(!options.check.empty()) {
+  const bool compared = with_surface && options.region != Region::none;
+  constexpr const char* not_compared = "region none: the mesh is not compared with the surface";
+  if (with_surface && !compared) report.left_out.push_back({"comparison with the surface", 1, not_compared});
+  std::array<bool, check_count> named{}, skipped{};
+  for (const std::string& id : options.check) named[static_cast<std::size_t>(check_of_id(id))] = true;
+  for (const std::string& id : options.skip) skipped[static_cast<std::size_t>(check_of_id(id))] = true;
+
   for (const std::string& id : options.allow) {
     const Check check = check_of_id(id);
     if (check != Check::crack && check != Check::non_conforming_interface)
@@ -21,24 +25,37 @@ Record::Record(const Options& options, bool with_surface) {
           fmt::format("findings of '{}' cannot be allowed, expected crack or non-conforming-interface", id));
     allowed_[static_cast<std::size_t>(check)] = true;
   }
-  for (int i = 0; i < check_count; ++i) {
+
+  std::vector<Check> contradictory, not_applicable, missing_surface, unwanted;
+  for (std::size_t i = 0; i < check_count; ++i) {
     const auto check = static_cast<Check>(i);
-    if (info(check).needs_surface && (!with_surface || options.region == Region::none)) leave_out({check});
     report.checks.push_back({.check = check});
+    const bool applies = compared || !info(check).needs_surface;
+    if (named[i] && skipped[i])
+      contradictory.push_back(check);
+    else if (!applies)
+      (named[i] ? missing_surface : not_applicable).push_back(check);
+    else if (skipped[i] || (by_id_ && !named[i]))
+      unwanted.push_back(check);
   }
+  wanted_.fill(true);
+  const char* const why = with_surface ? not_compared : "needs a surface";
+  drop(contradictory, "asked for and skipped at once", &report.not_judged);
+  drop(missing_surface, why, &report.not_judged);
+  drop(not_applicable, why, nullptr);
+  drop(unwanted, "not asked for", &report.left_out);
 }
 
-void Record::leave_out(std::initializer_list<Check> checks) {
-  for (const Check check : checks) wanted_[static_cast<std::size_t>(check)] = false;
-}
-
-void Record::could_not_run(std::initializer_list<Check> checks, const std::string& why) {
+void Record::drop(const std::vector<Check>& checks, const std::string& why, std::vector<NotJudged>* list) {
   std::string names;
   std::int64_t count = 0;
-  for (const Check check : checks)
-    if (wants(check)) names += fmt::format("{}{}", count++ ? ", " : "", info(check).id);
-  if (count > 0) report.not_judged.push_back({(count == 1 ? "check " : "checks ") + names, count, why});
-  leave_out(checks);
+  for (const Check check : checks) {
+    if (!wants(check)) continue;
+    wanted_[static_cast<std::size_t>(check)] = false;
+    result(check).why = why;
+    names += fmt::format("{}{}", count++ ? ", " : "", info(check).id);
+  }
+  if (list && count > 0) list->push_back({(count == 1 ? "check " : "checks ") + names, count, why});
 }
 
 void Record::blame(Cause cause, std::initializer_list<Check> but) {

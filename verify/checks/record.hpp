@@ -21,10 +21,19 @@ class Record {
   bool wants(Check check) const { return wanted_[static_cast<std::size_t>(check)]; }
   /// Whether the options say that findings of this check are meant.
   bool allows(Check check) const { return allowed_[static_cast<std::size_t>(check)]; }
-  /// Drops checks that the options do not ask for, after all.
-  void leave_out(std::initializer_list<Check> checks);
-  /// Drops checks that were asked for and cannot run; the report then lists them as not judged.
-  void could_not_run(std::initializer_list<Check> checks, const std::string& why);
+  /// Drops checks that the options leave out; the report lists them so. If the options ask for checks by
+  /// their ids, these were asked for, and are not judged.
+  void leave_out(std::initializer_list<Check> checks, const std::string& why) {
+    drop(checks, why, by_id_ ? &report.not_judged : &report.left_out);
+  }
+  /// Drops checks that nobody asks of such a mesh.
+  void does_not_apply(std::initializer_list<Check> checks, const std::string& why) {
+    drop(checks, why, by_id_ ? &report.not_judged : nullptr);
+  }
+  /// Drops checks that should run and cannot; the report lists them as not judged.
+  void could_not_run(std::initializer_list<Check> checks, const std::string& why) {
+    drop(checks, why, &report.not_judged);
+  }
 
   Suspects& operator[](Check check) { return suspects_[static_cast<std::size_t>(check)]; }
   const Suspects& operator[](Check check) const { return suspects_[static_cast<std::size_t>(check)]; }
@@ -40,7 +49,11 @@ class Record {
   Report report;
 
  private:
+  // Drops the checks that are wanted, and lists them; null: nowhere.
+  void drop(const std::vector<Check>& checks, const std::string& why, std::vector<NotJudged>* list);
+
   std::array<bool, check_count> wanted_{}, allowed_{};
+  bool by_id_ = false;  // the options name the checks that they ask for
   std::vector<Suspects> suspects_ = std::vector<Suspects>(check_count);
 };
 

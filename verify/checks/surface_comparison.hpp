@@ -15,7 +15,8 @@
 namespace tetproof::verify {
 
 /// The boundary faces that should lie on the surface, and a search tree for either side. With region outside,
-/// the sheets that are the mesh's own outer boundary are left out.
+/// the sheets that are the mesh's own outer boundary are left out. So are faces at elements that are not
+/// judged.
 struct Comparison {
   const JudgedMesh& judged_mesh;
   const TriangleSurface& surface;
@@ -24,6 +25,7 @@ struct Comparison {
   std::vector<Triangle> faces{};  ///< vertices of the mesh
   std::vector<FaceId> ids{};      ///< of `faces`
   std::vector<Index> sheets{};    ///< of `faces`: their sheets of the boundary
+  std::int64_t at_unjudged = 0;   ///< faces that are left out because they are at unjudged elements
   /// Absent when doubles cannot measure the box of mesh and surface.
   std::optional<TriangleTree> mesh_tree{}, surface_tree{};
 

@@ -14,6 +14,7 @@ namespace tetproof::verify {
 
 struct SurfaceJudgement {
   SurfaceReport report;
+  SurfaceNumbering numbering;
   /// The unit of length for what doubles could not hold otherwise: 2^exponent, below or at the longest side
   /// of the surface's box.
   int exponent = 0;
@@ -25,6 +26,6 @@ struct SurfaceJudgement {
   std::shared_ptr<KeptVoxels> voxels = std::make_shared<KeptVoxels>();
 };
 
-SurfaceJudgement judge(const TriangleSurface& surface);
+SurfaceJudgement judge(const TriangleSurface& surface, SurfaceNumbering numbering);
 
 }  // namespace tetproof::verify

@@ -37,7 +37,7 @@ std::vector<RegionAccount> account_of_regions(const TetMesh& mesh, const std::ve
     }
     for (const Index v : used) place[v] = -1;
     const Boundary boundary = find_boundary(part, {}, match_faces(part, {}));
-    RegionAccount account{tets[first].first, shape_of(boundary, mesh_volumes(part, boundary))};
+    RegionAccount account{{.tag = tets[first].first}, shape_of(boundary, mesh_volumes(part, boundary))};
     account.shape.points = static_cast<std::int64_t>(part.points.size());
     account.shape.tets = static_cast<std::int64_t>(part.tets.size());
     accounts.push_back(std::move(account));

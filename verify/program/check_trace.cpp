@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "corpus/surfaces.hpp"
 #include "io/error.hpp"
@@ -121,8 +122,9 @@ CheckedTrace check_trace(const std::string& path, const std::string& surface_giv
     if (name.empty())
       return cannot(fmt::format("its surface, '{}', is not found; --surface FILE says where it is",
                                 run.settings.surface));
-    const TriangleSurface surface = corpus::open_surface(name);
-    if (const JudgedSurface judged(surface); !judged.report().fault.empty())
+    SurfaceFile file = corpus::open_surface_file(name);
+    const TriangleSurface& surface = file.surface;
+    if (const JudgedSurface judged(surface, std::move(file.numbering)); !judged.report().fault.empty())
       return cannot(name + ": " + judged.report().fault);
     if (run.settings.parametric && !surface.evaluate)
       return cannot(

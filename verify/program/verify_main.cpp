@@ -16,7 +16,6 @@
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
-#include "io/model/element_types.hpp"
 #include "io/program/files_in_use.hpp"
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
@@ -47,42 +46,33 @@ struct Arguments {
 struct Loaded {
   TetMesh mesh;
   Numbering numbering;
-  std::vector<std::int64_t> regions;
+  TetRegions regions;
   verify::Unjudged unjudged;
-  std::vector<std::string> notes;
 };
 
 // The document, which may be many times as large, is gone before the judge starts.
 Loaded load(const Arguments& arguments, const program::Common& common) {
   const Document document = read_document(arguments.mesh, arguments.mesh_read);
   program::report_reading(common, document.warnings, document.dropped);
-  Loaded loaded{
-      tet_mesh(document), numbering(document), tet_regions(document), verify::unjudged(document), {}};
+  Loaded loaded{tet_mesh(document), numbering(document), tet_regions(document), verify::unjudged(document)};
   if (loaded.mesh.tets.empty()) {
     std::string others;
-    for (const verify::NotJudged& entry : loaded.unjudged.elements)
-      others += (others.empty() ? ", but " : ", ") + io::counted(entry.count, entry.what);
+    for (const auto* entries : {&loaded.unjudged.elements, &loaded.unjudged.unread})
+      for (const verify::NotJudged& entry : *entries)
+        others += (others.empty() ? ", but " : ", ") + io::counted(entry.count, entry.what);
     throw InputError(arguments.mesh + ": holds no tetrahedra" + others);
   }
-  std::size_t higher = 0;
-  for (const ElementBlock& block : document.blocks) {
-    const io::ElementType* type = io::element_type(block.type);
-    if (type && type->shape == io::Shape::tetrahedron && type->nodes > type->corners) higher += block.count;
-  }
-  if (higher > 0)
-    loaded.notes.push_back(fmt::format("{} of second or higher order {} corners",
-                                       io::counted(higher, "tetrahedra"),
-                                       higher == 1 ? "is judged by its" : "are judged by their"));
   return loaded;
 }
 
 verify::Report judge(const TetMesh& mesh, Arguments& arguments, const program::Common& common) {
   if (arguments.surface.empty()) return verify::verify(mesh, arguments.options);
-  const SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
+  SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
   program::report_reading(common, file.warnings, file.dropped);
   verify::add_unread_surface(arguments.options.unjudged, file.dropped);
   try {
-    return verify::verify(mesh, file.surface, arguments.options);
+    const verify::JudgedSurface surface(file.surface, std::move(file.numbering));
+    return verify::verify(mesh, surface, arguments.options);
   } catch (const InputError& error) {
     throw InputError(arguments.surface + ": " + error.what());
   }
@@ -128,11 +118,11 @@ int work(const Arguments& given, const program::Common& common) {
   program::FilesInUse files = files_of(arguments, common);
   const auto start = std::chrono::steady_clock::now();
   Loaded loaded = load(arguments, common);
-  arguments.options.regions = std::move(loaded.regions);
+  arguments.options.regions = std::move(loaded.regions.of_tet);
+  arguments.options.region_tags = std::move(loaded.regions.tags);
   arguments.options.unjudged = std::move(loaded.unjudged);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   verify::Report report = judge(loaded.mesh, arguments, common);
-  report.notes.insert(report.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   if (arguments.options.timings) report.seconds.insert(report.seconds.begin(), {"reading", reading});
 
   if (!arguments.defects.empty()) {
@@ -211,6 +201,9 @@ int main(int argc, char** argv) {
             ->type_name("LIST")
             ->delimiter(',')
             ->allow_extra_args(false);
+        app.add_flag("--only-tets", options.only_tets,
+                     "judge the tetrahedra alone: elements of other shapes are named as left out, and do not "
+                     "make the verdict incomplete");
         app.add_flag("--list-checks", arguments->list_checks,
                      "print the id of every check, what it proves, its accuracy and its severity");
         app.add_flag("--list-surfaces", arguments->list_surfaces,

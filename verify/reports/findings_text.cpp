@@ -10,6 +10,17 @@ namespace {
 
 constexpr std::size_t shown = 5;  // elements of a finding
 
+// " (the 2nd with this number)"; empty for 0: no other has it.
+std::string nth(std::int32_t n) {
+  if (n == 0) return "";
+  const char* const ending = n / 10 % 10 == 1 ? "th"
+                             : n % 10 == 1    ? "st"
+                             : n % 10 == 2    ? "nd"
+                             : n % 10 == 3    ? "rd"
+                                              : "th";
+  return fmt::format(" (the {}{} with this number)", n, ending);
+}
+
 std::string place(const Finding& finding, const Numbering& numbering) {
   std::string text;
   const auto add = [&](std::size_t count, const char* one, const char* many, const auto& name,
@@ -29,14 +40,17 @@ std::string place(const Finding& finding, const Numbering& numbering) {
         },
         " runs");
   else
-    add(finding.tets.size(), "tetrahedron", "tetrahedra",
-        [&](std::size_t i) { return fmt::format("{}", numbering.tet(finding.tets[i])); });
+    add(finding.tets.size(), "tetrahedron", "tetrahedra", [&](std::size_t i) {
+      return fmt::format("{}{}", numbering.tet(finding.tets[i]), nth(numbering.nth_tet(finding.tets[i])));
+    });
   add(finding.faces.size(), "face", "faces", [&](std::size_t i) {
     const auto& [a, b, c] = finding.faces[i];
     return fmt::format("({} {} {})", numbering.point(a), numbering.point(b), numbering.point(c));
   });
-  add(finding.vertices.size(), "vertex", "vertices",
-      [&](std::size_t i) { return fmt::format("{}", numbering.point(finding.vertices[i])); });
+  add(finding.vertices.size(), "vertex", "vertices", [&](std::size_t i) {
+    const Index v = finding.vertices[i];
+    return fmt::format("{}{}", numbering.point(v), nth(numbering.nth_point(v)));
+  });
   if (finding.point)
     text += fmt::format("{}at ({:.9g}, {:.9g}, {:.9g})", text.empty() ? "" : " ", finding.point->x(),
                         finding.point->y(), finding.point->z());
@@ -97,7 +111,7 @@ std::string if_mended_text(const Report& report, const Numbering& numbering, std
 }
 
 std::string failure_text(const Report& report, const Numbering& numbering, std::size_t most) {
-  std::string text = verdict_text(report) + "\n";
+  std::string text = verdict_text(report) + "\n" + scope_text(report);
   for (const CheckResult& result : report.checks) {
     if (result.verdict != Verdict::fail) continue;
     text += check_text(result, numbering, most);

@@ -2,6 +2,8 @@
 // The keys are a contract: see report.schema.json.
 #include "verify/reports/report_json.hpp"
 
+#include <algorithm>
+
 #include "verify/reports/verdict.hpp"
 
 namespace tetproof::verify {
@@ -30,6 +32,15 @@ const char* name(Verdict verdict) {
   return "";
 }
 
+// Which of those with its number each element is; empty if none shares its number.
+template <class Nth>
+Json nth_of(const std::vector<Index>& elements, const Nth& nth) {
+  Json all = Json::array();
+  if (std::any_of(elements.begin(), elements.end(), [&](Index i) { return nth(i) > 0; }))
+    for (const Index i : elements) all.push_back(std::max(nth(i), 1));
+  return all;
+}
+
 Json json(const Finding& finding, const Numbering& numbering) {
   Json tets = Json::array(), vertices = Json::array(), faces = Json::array(), consequences = Json::array();
   for (const Index t : finding.tets) tets.push_back(numbering.tet(t));
@@ -50,16 +61,30 @@ Json json(const Finding& finding, const Numbering& numbering) {
               {"consequences", consequences}};
   for (const auto& [first, last] : finding.tet_runs)
     all["tet_runs"].push_back({numbering.tet(first), numbering.tet(last)});
+  if (const Json nth = nth_of(finding.tets, [&](Index t) { return numbering.nth_tet(t); }); !nth.empty())
+    all["tets_nth"] = nth;
+  if (const Json nth = nth_of(finding.vertices, [&](Index v) { return numbering.nth_point(v); });
+      !nth.empty())
+    all["vertices_nth"] = nth;
   return all;
 }
 
 Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
-  return {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
-          {"exact", info(result.check).all_exact}, {"count", result.count},
-          {"consequences", result.consequences},   {"measured", or_null(result.measured)},
-          {"allowed", or_null(result.allowed)},    {"findings", findings}};
+  Json all = {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
+              {"exact", info(result.check).all_exact}, {"count", result.count},
+              {"consequences", result.consequences},   {"measured", or_null(result.measured)},
+              {"allowed", or_null(result.allowed)},    {"findings", findings}};
+  if (!result.why.empty()) all["why"] = result.why;
+  return all;
+}
+
+Json json(const std::vector<NotJudged>& entries) {
+  Json list = Json::array();
+  for (const NotJudged& entry : entries)
+    list.push_back({{"what", entry.what}, {"count", entry.count}, {"why", entry.why}});
+  return list;
 }
 
 Json json(const std::vector<CheckResult>& results, const Numbering& numbering) {
@@ -91,15 +116,14 @@ Json json(const Distribution& distribution, std::int64_t tets) {
 Json report_json_object(const Report& report, const Numbering& numbering) {
   Json regions = Json::array();
   for (const RegionAccount& region : report.regions) {
-    regions.push_back({{"tag", region.tag}});
+    regions.push_back({{"tag", region.tag.tag}, {"kind", region.tag.kind}, {"name", region.tag.name}});
     regions.back().update(json(region.shape, true));
   }
-  Json not_judged = Json::array();
-  for (const NotJudged& entry : report.not_judged)
-    not_judged.push_back({{"what", entry.what}, {"count", entry.count}, {"why", entry.why}});
   Json all = {{"verdict", verdict_word(report)},
               {"certificate", or_null(report.certificate)},
-              {"not_judged", not_judged},
+              {"not_judged", json(report.not_judged)},
+              {"left_out", json(report.left_out)},
+              {"by_corners", report.by_corners},
               {"checks", json(report.checks, numbering)},
               {"mesh", json(report.mesh, true)},
               {"regions", regions},

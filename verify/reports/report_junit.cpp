@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 #include "io/bytes/xml_text.hpp"
 #include "verify/findings_text.hpp"
@@ -25,14 +27,13 @@ std::string property(const char* name, std::string_view value) {
 }
 
 // The body of a test case; empty if the check passed.
-std::string outcome(const CheckResult& result, bool has_surface, const Numbering& numbering) {
+std::string outcome(const CheckResult& result, const Numbering& numbering) {
   const CheckInfo& row = info(result.check);
   switch (result.verdict) {
     case Verdict::pass:
       return {};
     case Verdict::skipped:
-      return fmt::format("      <skipped message=\"{}\"/>\n",
-                         row.needs_surface && !has_surface ? "needs a surface" : "left out by the options");
+      return fmt::format("      <skipped message=\"{}\"/>\n", xml_escaped(result.why));
     case Verdict::undecided:
       return fmt::format(
           "      <system-out>undecided: measured {:.6g}, allowed {:.6g}, the difference is inside the stated "
@@ -57,13 +58,15 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
     return std::count_if(report.checks.begin(), report.checks.end(),
                          [&](const CheckResult& result) { return result.verdict == verdict; });
   };
+  const std::array scope{std::pair{&report.not_judged, "not judged"},
+                         std::pair{&report.left_out, "left out"}};
+  const std::size_t entries = report.not_judged.size() + report.left_out.size();
   double total = 0;
   for (const auto& [phase, seconds] : report.seconds) total += seconds;
   const std::string time = report.seconds.empty() ? "" : fmt::format(" time=\"{:.3f}\"", total);
-  const std::string counts =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}",
-                  report.checks.size() + report.not_judged.size(), with(Verdict::fail),
-                  with(Verdict::skipped) + static_cast<std::ptrdiff_t>(report.not_judged.size()), time);
+  const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}",
+                                         report.checks.size() + entries, with(Verdict::fail),
+                                         static_cast<std::size_t>(with(Verdict::skipped)) + entries, time);
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuites name=\"tetproof-verify\" {}>\n", counts);
@@ -77,16 +80,18 @@ std::string report_junit(const Report& report, const std::string& mesh, const Nu
     xml += property(("seconds of " + phase).c_str(), fmt::format("{:.3f}", seconds));
   xml += "    </properties>\n";
   for (const CheckResult& result : report.checks) {
-    const std::string inside = outcome(result, report.surface.has_value(), numbering);
+    const std::string inside = outcome(result, numbering);
     xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\"{}\n", xml_escaped(mesh),
                        info(result.check).id, inside.empty() ? "/>" : ">");
     if (!inside.empty()) xml += inside + "    </testcase>\n";
   }
-  for (const NotJudged& entry : report.not_judged)
-    xml += fmt::format(
-        "    <testcase classname=\"{}\" name=\"not judged: {}\">\n      <skipped message=\"{}\"/>\n    "
-        "</testcase>\n",
-        xml_escaped(mesh), xml_escaped(entry.what), xml_escaped(not_judged_text(entry)));
+  for (const auto& [list, is] : scope)
+    for (const NotJudged& entry : *list)
+      xml += fmt::format(
+          "    <testcase classname=\"{}\" name=\"{}: {}\">\n      <skipped message=\"{}: {}\"/>\n    "
+          "</testcase>\n",
+          xml_escaped(mesh), is, xml_escaped(entry.what), xml_escaped(name_of(entry)),
+          xml_escaped(entry.why));
   xml += "    <system-out>" + as_text(report_text(report, numbering)) + "</system-out>\n";
   return xml + "  </testsuite>\n</testsuites>\n";
 }

@@ -23,7 +23,7 @@ std::string shape_text(const Shape& shape) {
 }  // namespace
 
 std::string report_text(const Report& report, const Numbering& numbering) {
-  std::string text = verdict_text(report) + "\n";
+  std::string text = verdict_text(report) + "\n" + scope_text(report);
   for (const Verdict verdict : {Verdict::fail, Verdict::warning})
     for (const CheckResult& result : report.checks)
       if (result.verdict == verdict) text += check_text(result, numbering);
@@ -39,7 +39,9 @@ std::string report_text(const Report& report, const Numbering& numbering) {
                       io::counted(report.mesh.boundary_faces, "boundary faces"), shape_text(report.mesh));
   for (std::size_t i = 0; i < report.regions.size() && i < most_regions; ++i) {
     const auto& [tag, shape] = report.regions[i];
-    text += fmt::format("region {:<2} {}, volume {:.12g}; boundary of {}, {}\n", tag,
+    const std::string name = (tag.kind.empty() ? "" : tag.kind + " ") + fmt::format("{}", tag.tag) +
+                             (tag.name.empty() ? "" : " (" + tag.name + ")");
+    text += fmt::format("region    {}: {}, volume {:.12g}; boundary of {}, {}\n", name,
                         io::counted(shape.tets, "tetrahedra"), shape.volume.value_or(0),
                         io::counted(shape.boundary_faces, "faces"), shape_text(shape));
   }

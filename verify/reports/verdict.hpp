@@ -10,7 +10,7 @@ namespace tetproof::verify {
 
 /// "sound", "defective" or "incomplete".
 const char* verdict_word(const Report& report);
-/// "8 cells of type 42 (not read: the first is cell 3)".
-std::string not_judged_text(const NotJudged& entry);
+/// "8 cells of type 42", "check overlap", "26 checks".
+std::string name_of(const NotJudged& entry);
 
 }  // namespace tetproof::verify

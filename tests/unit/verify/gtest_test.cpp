@@ -81,14 +81,14 @@ TEST(Matchers, TakeFilesByPathAndByName) {
 
 TEST(Matchers, TheFailureIsTheReportsFirstFindings) {
   EXPECT_EQ(explained(IsSound(), inverted(3), false),
-            "which is DEFECTIVE: no certificate\n"
+            "which is DEFECTIVE: no certificate, no valid triangulation of a solid (inverted)\n"
             "FAIL inverted: 1\n"
             "  tetrahedron 3: negative: volume -0.166667\n"
             "    from this follows: 3 face-orientation\n"
             "FAIL face-orientation: 3 consequences of what is found above\n");
   const TetMesh mesh = lattice_mesh({2, 2, 2});
   EXPECT_EQ(explained(IsSound(), mesh, true),
-            "which is sound: certified, the tetrahedra are a valid triangulation of a solid\n");
+            "which is sound: certified: 48 tetrahedra, a valid triangulation of a solid\n");
   EXPECT_EQ(explained(IsSound(), TetMesh{}, false), "which has no tetrahedra");
 }
 
@@ -119,7 +119,8 @@ TEST(Matchers, CertifiedNeedsEveryCheckOfTheProof) {
   const TetMesh mesh = lattice_mesh({2, 2, 2});
   EXPECT_THAT(mesh, IsSound({.skip = {"overlap"}}));
   EXPECT_THAT(explained(IsSound({.skip = {"overlap"}}), mesh, true),
-              HasSubstr("no certificate, a check that it needs was skipped"));
+              HasSubstr("sound: only as far as asked: 48 tetrahedra without a certificate; left out: check "
+                        "overlap\n"));
   EXPECT_THAT(inverted(3), Not(IsCertified()));
   // A check that was not asked for cannot fail, and proves nothing.
   EXPECT_THAT(inverted(3), IsSound({.check = {"duplicate-point"}}));
@@ -132,7 +133,8 @@ TEST(Matchers, FillsTellsWhatIsMissing) {
   const TriangleSurface surface = boundary_surface(mesh);
   EXPECT_THAT(less, IsCertified());
   const std::string text = explained(Fills(surface, 1e-3), less, false);
-  EXPECT_THAT(text, AllOf(StartsWith("which is DEFECTIVE: certified"), HasSubstr("FAIL volume-surface")));
+  EXPECT_THAT(text, AllOf(StartsWith("which is DEFECTIVE: the mesh does not fill the surface ("),
+                          HasSubstr("(certified: 42 tetrahedra)"), HasSubstr("FAIL volume-surface")));
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(less, Fills(surface, 1e-3)),
                           "Expected: is a sound tetrahedral mesh that fills the inside of a surface of 48 "
                           "triangles within 0.001");

@@ -94,22 +94,28 @@ TEST(Unjudged, ElementsThatWereNotRead) {
   EXPECT_FALSE(defective(report));
   EXPECT_THAT(
       report_text(report),
-      StartsWith("incomplete: certified: 48 tetrahedra; not judged: 8 cells of type 42 (not read: cell "
-                 "3)\n"));
+      StartsWith("incomplete: certified: 48 tetrahedra; not judged: 8 cells of type 42, check unused-point\n"
+                 "unjudged  8 cells of type 42: not read: cell 3\n"
+                 "unjudged  check unused-point: elements that were not read may use any point\n"));
   // They may use the last point.
   EXPECT_EQ(report[Check::unused_point].verdict, Verdict::skipped);
-  EXPECT_THAT(report.notes, testing::Contains(StartsWith("unused points were not looked for")));
 
   const Json json = Json::parse(report_json(report));
   EXPECT_EQ(json["verdict"], "incomplete");
   EXPECT_EQ(json["not_judged"],
-            Json::array({{{"what", "cells of type 42"}, {"count", 8}, {"why", "not read: cell 3"}}}));
+            Json::array({{{"what", "cells of type 42"}, {"count", 8}, {"why", "not read: cell 3"}},
+                         {{"what", "check unused-point"},
+                          {"count", 1},
+                          {"why", "elements that were not read may use any point"}}}));
   EXPECT_EQ(Json(verify::report_json_object(report)), json);
   EXPECT_EQ(Json::parse(report_json(judged(block())))["not_judged"], Json::array());
 
   const std::string junit = report_junit(report, "part.vtu");
   EXPECT_THAT(junit, HasSubstr("<testcase classname=\"part.vtu\" name=\"not judged: cells of type 42\">\n"
-                               "      <skipped message=\"8 cells of type 42 (not read: cell 3)\"/>"));
+                               "      <skipped message=\"8 cells of type 42: not read: cell 3\"/>"));
+  EXPECT_THAT(junit,
+              HasSubstr("name=\"unused-point\">\n      <skipped message=\"elements that were not read may "
+                        "use any point\"/>"));
   EXPECT_THAT(junit, HasSubstr("<property name=\"verdict\" value=\"incomplete\"/>"));
 }
 
@@ -121,7 +127,9 @@ TEST(Unjudged, ADefectIsADefectAllTheSame) {
   const Report report = judged(document);
   EXPECT_TRUE(defective(report));
   EXPECT_FALSE(sound(report));
-  EXPECT_THAT(report_text(report), StartsWith("DEFECTIVE: no certificate; not judged: 1 hexahedron (only "));
+  EXPECT_THAT(report_text(report),
+              StartsWith("DEFECTIVE: no certificate, no valid triangulation of a solid (inverted); not "
+                         "judged: 1 hexahedron\n"));
   EXPECT_EQ(Json::parse(report_json(report))["verdict"], "defective");
 }
 
@@ -134,7 +142,7 @@ TEST(Unjudged, MatchersFailWithTheReason) {
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(path, verify::IsSound()),
                           "which is incomplete: certified: 48 tetrahedra; not judged: 1 hexahedron");
   EXPECT_NONFATAL_FAILURE(EXPECT_THAT(path, verify::Fills(boundary_surface(lattice_mesh({2, 2, 2})), 1e-3)),
-                          "not judged: 1 hexahedron (only tetrahedra are judged; the first is element 49)");
+                          "unjudged  1 hexahedron: only tetrahedra are judged; the first is element 49\n");
   EXPECT_THAT(path, testing::Not(verify::IsCertified()));
   std::filesystem::remove(path);
 }

@@ -56,7 +56,8 @@ TEST(SurfaceFaults, WholeMessages) {
          s.triangles.pop_back();
          return s;
        },
-       "the surface is open: 3 edges have one triangle (first: 0-2)"},
+       "the surface is open: 3 edges have one triangle (first: 0-2 from (0, 0, 0) to (0, 1, 0), of triangle "
+       "0)"},
       {"an edge of three",
        [] {
          auto s = tetrahedron();
@@ -65,7 +66,8 @@ TEST(SurfaceFaults, WholeMessages) {
          s.triangles.push_back({2, 1, 4});
          return s;
        },
-       "the surface is not manifold: 1 edge has more than two triangles (first: 1-2 has 4)"},
+       "the surface is not manifold: 1 edge has more than two triangles (first: 1-2 from (1, 0, 0) to (0, 1, "
+       "0) has 4)"},
       {"two joined at a vertex",
        [] {
          auto s = together(tetrahedron(), tetrahedron());
@@ -85,22 +87,23 @@ TEST(SurfaceFaults, WholeMessages) {
          std::swap(s.triangles[2][0], s.triangles[2][1]);
          return s;
        },
-       "the surface is not consistently oriented: 3 edges are run twice in the same direction (first: 1-2, "
-       "by triangles 0 and 2)"},
+       "the surface is not consistently oriented: 3 edges are run twice in the same direction (first: 1-2 "
+       "from "
+       "(1, 0, 0) to (0, 1, 0), by triangle 0 and triangle 2)"},
       {"no area",
        [] {
          auto s = tetrahedron();
          s.vertices[3] = {0.5, 0.5, 0};
          return s;
        },
-       "1 triangle has no area (first: 2 (1 2 3))"},
+       "1 triangle has no area (first: triangle 2 (1 2 3) at (1, 0, 0))"},
       {"a vertex twice",
        [] {
          auto s = tetrahedron();
          s.triangles.push_back({1, 1, 2});
          return s;
        },
-       "1 triangle has no area (first: 4 (1 1 2))"},
+       "1 triangle has no area (first: triangle 4 (1 1 2) at (1, 0, 0))"},
       {"a triangle twice",
        [] {
          auto s = tetrahedron();
@@ -109,7 +112,7 @@ TEST(SurfaceFaults, WholeMessages) {
          s.triangles.push_back({6, 5, 4});
          return s;
        },
-       "1 triangle is listed twice (first: 4 (4 5 6) and 5)"},
+       "1 triangle is listed twice (first: triangle 4 (4 5 6) at (5, 0, 0) and triangle 5)"},
       {"crossing itself",
        [] {
          return together(tetrahedron(), [] {
@@ -118,22 +121,26 @@ TEST(SurfaceFaults, WholeMessages) {
            return s;
          }());
        },
-       "the surface intersects itself: 6 pairs of triangles meet (first: 0 (0 2 1) and 5 (4 5 7))"},
+       "the surface intersects itself: 6 pairs of triangles meet (first: triangle 0 (0 2 1) at (0, 0, 0) and "
+       "triangle 5 (4 5 7) at (0.25, 0.25, -0.5))"},
       {"side by side, one inside out",
        [] {
          return together(tetrahedron(), flipped(box_surface({2, 2, 2}, 1)));
        },
-       "the surface is not consistently oriented: component 1 (12 triangles from 4, volume -1) is inward, "
+       "the surface is not consistently oriented: component 1 (12 triangles from triangle 4 (4 6 5) at (2, "
+       "2, 2), volume -1) is inward, "
        "but component 0 (4 triangles "
-       "from 0, volume 0.166667) is outward, none of them in a cavity"},
+       "from triangle 0 (0 2 1) at (0, 0, 0), volume 0.166667) is outward, none of them in a cavity"},
       {"two in one, one inside out",
        [] {
          return together(box_surface({0, 0, 0}, 8),
                          together(box_surface({1, 1, 1}, 1), flipped(box_surface({4, 4, 4}, 1))));
        },
-       "the surface is not consistently oriented: component 2 (12 triangles from 24, volume -1) is inward, "
+       "the surface is not consistently oriented: component 2 (12 triangles from triangle 24 (16 18 17) at "
+       "(4, 4, "
+       "4), volume -1) is inward, "
        "but component 1 (12 triangles "
-       "from 12, volume 1) is outward, all of them inside others"},
+       "from triangle 12 (8 9 10) at (1, 1, 1), volume 1) is outward, all of them inside others"},
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
@@ -177,18 +184,28 @@ const std::filesystem::path shared = std::filesystem::path(TETPROOF_SOURCE_DIR) 
 TEST(Surface, BadFilesAreRefused) {
   if (!std::filesystem::exists(shared)) GTEST_SKIP() << shared << " is not there";
   const std::map<std::string, std::string> faults{
-      {"sphereWithHole.stl", "the surface is open: 9 edges have one triangle (first: 0-1)"},
-      {"hat_skull.stl", "the surface is open: 84 edges have one triangle (first: 251-380)"},
-      {"shared.STL", "the surface is not manifold: 1 edge has more than two triangles (first: 0-2 has 4)"},
+      {"sphereWithHole.stl",
+       "the surface is open: 9 edges have one triangle (first: from (1.5, 1.5, 0) to (1.5, 1.11177, "
+       "0.05111), of facet 1)"},
+      {"hat_skull.stl",
+       "the surface is open: 84 edges have one triangle (first: from (0.035433001816272736, "
+       "0.5061190128326416, -0.02480500005185604) to (0.004282000008970499, 0.5045790076255798, "
+       "-0.03226200118660927), of facet 631)"},
+      {"shared.STL",
+       "the surface is not manifold: 1 edge has more than two triangles (first: from (0.5, 0.5, 0.5) to "
+       "(0.5, 0.5, -0.5) has 4)"},
       {"self_intersectA.obj",
-       "the surface intersects itself: 338 pairs of triangles meet (first: 760 (375 390 391) and 8123 (4056 "
-       "5293 5292))"},
+       "the surface intersects itself: 338 pairs of triangles meet (first: triangle 761 (376 391 392) at "
+       "(0.230133593, 0.234162167, 0.521489263) and triangle 8124 (4057 5294 5293) at (0.225341529, "
+       "0.236388803, 0.527618647))"},
       {"simpleCar.stl",
-       "the surface is not consistently oriented: component 0 (3142 triangles from 0, volume -2.44929) is "
-       "inward, but component 1 (12 "
-       "triangles from 3142, volume 0.5) is outward, none of them in a cavity"}};
-  for (const auto& [file, fault] : faults)
-    EXPECT_EQ(judge_surface(read_surface(shared / file)).fault, fault) << file;
+       "the surface is not consistently oriented: component 0 (3142 triangles from facet 1 at (-0.4, -1.5, "
+       "2.4492936e-17), volume -2.44929) is inward, but component 1 (12 triangles from facet 3143 at (-1.45, "
+       "-0.5, 2.5), volume 0.5) is outward, none of them in a cavity"}};
+  for (const auto& [file, fault] : faults) {
+    const SurfaceFile read = read_surface_file(shared / file);
+    EXPECT_EQ(judge_surface(read.surface, read.numbering).fault, fault) << file;
+  }
 }
 
 TEST(Surface, CleanFilesAreWhatTheirManifestSays) {

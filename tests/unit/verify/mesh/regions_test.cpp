@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The account of each region of a mesh whose regions share faces.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/document.hpp"
 #include "io/error.hpp"
 #include "tests/support/meshes.hpp"
 #include "verify/verify.hpp"
@@ -25,9 +29,9 @@ TEST(Regions, TwoCubesWithACommonFace) {
   EXPECT_EQ(report.certificate, true);
   EXPECT_EQ(report.mesh.boundary_faces, 20);
   ASSERT_EQ(report.regions.size(), 2u);
-  EXPECT_EQ(report.regions[0].tag, -3);
-  EXPECT_EQ(report.regions[1].tag, 12);
-  for (const auto& [tag, shape] : report.regions) {
+  EXPECT_EQ(report.regions[0].tag.tag, -3);
+  EXPECT_EQ(report.regions[1].tag.tag, 12);
+  for (const auto& [name, shape] : report.regions) {
     EXPECT_EQ(shape.points, 8);
     EXPECT_EQ(shape.tets, 6);
     EXPECT_EQ(shape.boundary_faces, 12);
@@ -83,6 +87,67 @@ TEST(Regions, OneRegionNeedsNoAccount) {
 
 TEST(Regions, OneForEachTetrahedronOrNone) {
   EXPECT_THROW(verify::verify(lattice_mesh({2, 1, 1}), {.regions = {1, 2}}), InputError);
+}
+
+// Two cubes beside each other, of six tetrahedra each. `first` and `second` are the blocks' groups; both
+// cubes have an entity of their own.
+Document two_cubes(const std::vector<std::int64_t>& first, const std::vector<std::int64_t>& second) {
+  Document document = document_of(lattice_mesh({2, 1, 1}));
+  document.tag_sets.push_back(first);
+  document.tag_sets.push_back(second);
+  ElementBlock block = document.blocks[0];
+  block.count = 6, block.entity = 1, block.groups = first.empty() ? 0 : 1;
+  ElementBlock other = block;
+  other.first = 6, other.nodes = 24, other.entity = 2, other.groups = second.empty() ? 0 : 2;
+  document.blocks = {block, other};
+  return document;
+}
+
+Report judged(const Document& document) {
+  TetRegions regions = tet_regions(document);
+  return verify::verify(tet_mesh(document),
+                        {.regions = std::move(regions.of_tet), .region_tags = std::move(regions.tags)});
+}
+
+// Six tetrahedra in group 2, six in entity 2 without a group.
+TEST(Regions, AGroupAndAnEntityOfTheSameNumberAreTwo) {
+  Document document = two_cubes({2}, {});
+  document.group_names = {{2, 2, "a surface"}, {3, 2, "steel"}};
+  const Report report = judged(document);
+  ASSERT_EQ(report.regions.size(), 2u);
+  EXPECT_EQ(report.regions[0].tag.kind, "physical");
+  EXPECT_EQ(report.regions[0].tag.tag, 2);
+  EXPECT_EQ(report.regions[0].tag.name, "steel");
+  EXPECT_EQ(report.regions[0].shape.tets, 6);
+  EXPECT_EQ(report.regions[1].tag.kind, "entity");
+  EXPECT_EQ(report.regions[1].tag.tag, 2);
+  EXPECT_EQ(report.regions[1].tag.name, "");
+  EXPECT_EQ(report.regions[1].shape.volume, 1.0);
+  EXPECT_THAT(report_text(report),
+              testing::HasSubstr("region    physical 2 (steel): 6 tetrahedra, volume 1; "));
+  EXPECT_THAT(report_text(report), testing::HasSubstr("region    entity 2: 6 tetrahedra, volume 1; "));
+  const nlohmann::json json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json["regions"][0]["kind"], "physical");
+  EXPECT_EQ(json["regions"][0]["name"], "steel");
+  EXPECT_EQ(json["regions"][1]["tag"], 2);
+  EXPECT_EQ(json["regions"][1]["kind"], "entity");
+}
+
+TEST(Regions, EntitiesOfOneGroupAreOne) {
+  EXPECT_TRUE(judged(two_cubes({7}, {7})).regions.empty());
+  EXPECT_EQ(judged(two_cubes({}, {})).regions.size(), 2u);
+  // Sorted by their numbers, whatever the order in the file is.
+  const Report report = judged(two_cubes({7}, {-7}));
+  ASSERT_EQ(report.regions.size(), 2u);
+  EXPECT_EQ(report.regions[0].tag.tag, -7);
+  EXPECT_EQ(report.regions[1].tag.tag, 7);
+}
+
+TEST(Regions, ATagThatIsNotThereIsRefused) {
+  const std::vector<std::int64_t> regions(12, 1);
+  EXPECT_THROW(
+      verify::verify(lattice_mesh({2, 1, 1}), {.regions = regions, .region_tags = {{"entity", 1, ""}}}),
+      InputError);
 }
 
 }  // namespace

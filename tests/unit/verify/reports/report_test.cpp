@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
 #include "tests/support/meshes.hpp"
 #include "verify/verify.hpp"
 
@@ -53,6 +54,34 @@ TEST(Report, SpeaksTheFilesNumbers) {
   EXPECT_THAT(text, testing::StartsWith("DEFECTIVE"));
   EXPECT_THAT(text, testing::HasSubstr("tetrahedron 31: negative: volume -0.166667"));
   EXPECT_THAT(text, testing::HasSubstr("4242"));
+}
+
+// Three tetrahedra and two points of a file share their numbers.
+TEST(Report, TellsElementsWithTheSameNumberApart) {
+  Document document = document_of(lattice_mesh({1, 1, 1}));
+  document.element_tags = {7, 5, 7, 1, 2, 7};
+  document.node_tags = {1, 2, 3, 4, 5, 6, 7, 8};
+  document.points.emplace_back(9, 9, 9);
+  document.node_tags.push_back(3);
+  TetMesh mesh = tet_mesh(document);
+  for (const std::size_t t : {1, 2, 5}) std::swap(mesh.tets[t][0], mesh.tets[t][1]);
+  const verify::Report report = verify::verify(mesh);
+  const std::string text = report_text(report, numbering(document));
+  EXPECT_THAT(text, testing::HasSubstr("  tetrahedron 5: negative: "));
+  EXPECT_THAT(text, testing::HasSubstr("  tetrahedron 7 (the 2nd with this number): negative: "));
+  EXPECT_THAT(text, testing::HasSubstr("  tetrahedron 7 (the 3rd with this number): negative: "));
+  EXPECT_THAT(text, testing::HasSubstr("  vertex 3 (the 2nd with this number): belongs to no tetrahedron"));
+  const Json json = Json::parse(report_json(report, numbering(document)));
+  for (const Json& check : json["checks"]) {
+    if (check["id"] == "inverted") {
+      EXPECT_FALSE(check["findings"][0].contains("tets_nth"));
+      EXPECT_EQ(check["findings"][1]["tets_nth"], Json({2}));
+      EXPECT_EQ(check["findings"][2]["tets_nth"], Json({3}));
+    }
+    if (check["id"] == "unused-point") {
+      EXPECT_EQ(check["findings"][0]["vertices_nth"], Json({2}));
+    }
+  }
 }
 
 TEST(Report, QualityOfTheRegularTetrahedron) {
