@@ -193,7 +193,8 @@ TEST(Mesh, AnEmptyGridIsSaidAndIsNotCertified) {
       run.err,
       HasSubstr("the grid is empty: the surface is thinner than the lattice of 3 cells everywhere; use "
                 "more --cells"));
-  EXPECT_THAT(run.out, HasSubstr("incomplete: no certificate, the mesh is empty; not judged: mesh"));
+  EXPECT_THAT(run.out, HasSubstr("incomplete: no certificate, the mesh is empty; warnings: topology, "
+                                 "surface-to-mesh; not judged: mesh\n"));
   EXPECT_THAT(run.out, testing::Not(HasSubstr("certified")));
 }
 
