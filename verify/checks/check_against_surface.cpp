@@ -60,8 +60,10 @@ constexpr double largest_volume_share = 0.25;
 
 // Says that the allowed distance lets whole walls of the solid be lost. 2 V / A is the mean thickness of a
 // thin solid: the width of a plate with the same volume and area.
-void note_thin_solid(const SurfaceReport& surface, double allowed, Report& report) {
-  const double thickness = 2 * surface.volume / surface.area;
+void note_thin_solid(const SurfaceJudgement& surface, double allowed, Report& report) {
+  const double thickness =
+      std::ldexp(2 * surface.volumes->weighted_sum_in_units(surface.weights, surface.exponent) / surface.area,
+                 surface.exponent);
   if (!(allowed > thickness)) return;
   report.notes.push_back(
       fmt::format("the allowed distance {:.6g} is wider than the solid is thick (2 V / A = {:.6g}): a "
@@ -69,12 +71,16 @@ void note_thin_solid(const SurfaceReport& surface, double allowed, Report& repor
                   allowed, thickness));
 }
 
-// The volume that the mesh has, beside the one that it should have.
+// The volume that the mesh has, beside the one that it should have. Volumes are in cubes of the surface's
+// unit, a power of two: they fit into doubles whatever the scale.
 struct VolumeEvidence {
+  int exponent = 0;       // the unit is 2^exponent
   double difference = 0;  // what the mesh has more than it should, the nearest double to the exact value
   double outer = 0;       // volume inside the mesh's own outer boundary
   double right = 0;       // volume that the mesh should have
   double allowed = 0;
+
+  double in_cubes(double units) const { return std::ldexp(units, 3 * exponent); }  // [length^3]
 };
 VolumeEvidence compare_volumes(const JudgedMesh& mesh, const SurfaceJudgement& judged,
                                const std::vector<int>& own) {
@@ -86,13 +92,17 @@ VolumeEvidence compare_volumes(const JudgedMesh& mesh, const SurfaceJudgement& j
     if (own[i]) outer[i] = 1, mesh_weights[i] -= 1;
   if (outside)
     for (int& weight : surface_weights) weight = -weight;
+  const int exponent = judged.exponent;
   const SurfaceReport& s = judged.report;
+  const double diagonal = std::ldexp((s.box_max - s.box_min).stableNorm(), -exponent);
+  const double solid = judged.volumes->weighted_sum_in_units(judged.weights, exponent);
   VolumeEvidence evidence{
-      .difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights),
-      .outer = volumes.sets.weighted_sum(outer),
-      .allowed = mesh.options.fidelity * (s.box_max - s.box_min).norm() * s.area};
-  if (!mesh.options.coarse) evidence.allowed = std::min(evidence.allowed, largest_volume_share * s.volume);
-  evidence.right = outside ? evidence.outer - s.volume : s.volume;
+      .exponent = exponent,
+      .difference = volumes.sets.difference(mesh_weights, *judged.volumes, surface_weights, exponent),
+      .outer = volumes.sets.weighted_sum_in_units(outer, exponent),
+      .allowed = mesh.options.fidelity * diagonal * judged.area};
+  if (!mesh.options.coarse) evidence.allowed = std::min(evidence.allowed, largest_volume_share * solid);
+  evidence.right = outside ? evidence.outer - solid : solid;
   return evidence;
 }
 
@@ -100,12 +110,12 @@ void check_volume_surface(const VolumeEvidence& volumes, Record& record) {
   record.report.volume.relative_difference = volumes.difference / volumes.right;
   if (!record.wants(Check::volume_surface)) return;
   CheckResult& result = record.result(Check::volume_surface);
-  result.measured = std::abs(volumes.difference);
-  result.allowed = volumes.allowed;
+  result.measured = volumes.in_cubes(std::abs(volumes.difference));
+  result.allowed = volumes.in_cubes(volumes.allowed);
   if (!(std::abs(volumes.difference) > volumes.allowed)) return;
   record[Check::volume_surface] = Suspects::complete(
       {{.what = fmt::format("the mesh's volume is {:.17g}, {:.6g} {} than the surface asks for",
-                            *record.report.volume.mesh, std::abs(volumes.difference),
+                            *record.report.volume.mesh, *result.measured,
                             volumes.difference < 0 ? "less" : "more")}});
 }
 
@@ -122,17 +132,18 @@ void check_volume_voxel(const VolumeEvidence& volumes, Region region, const Voxe
   report.volume.voxel_inside = voxels.inside;
   report.volume.voxel_error_bound = voxels.error_bound;
   report.volume.voxel_error_estimate = evidence.voxels->error_estimate;
-  const double apart = std::abs(*report.volume.mesh -
-                                (region == Region::outside ? volumes.outer - voxels.inside : voxels.inside));
+  const double outer = volumes.in_cubes(volumes.outer), allowed = volumes.in_cubes(volumes.allowed);
+  const double apart =
+      std::abs(*report.volume.mesh - (region == Region::outside ? outer - voxels.inside : voxels.inside));
   CheckResult& result = record.result(Check::volume_voxel);
   result.measured = apart;
   // An account that agrees within its own error contradicts nothing.
-  result.allowed = volumes.allowed + voxels.error_bound;
+  result.allowed = allowed + voxels.error_bound;
   if (!(apart > *result.allowed)) return;
   record[Check::volume_voxel] = Suspects::complete(
       {{.what = fmt::format("the mesh's volume and the voxels' differ by {:.6g}, allowed {:.6g} and the "
                             "voxels' error of at most {:.6g}",
-                            apart, volumes.allowed, voxels.error_bound)}});
+                            apart, allowed, voxels.error_bound)}});
 }
 
 RegionEvidence check_regions(const Comparison& comparison, const DistanceEvidence& distances,
@@ -164,6 +175,8 @@ void name_region(const RegionEvidence& regions, Record& record) {
 // Checks of which the mesh's unjudged parts leave nothing. A region that the tetrahedra have in excess is in
 // excess whatever the other elements fill.
 void leave_unjudged(const JudgedMesh& mesh, Record& record) {
+  if (mesh.unjudged.any())
+    record.does_not_apply({Check::bounding_box}, "elements that are not judged may reach farther");
   if (mesh.unjudged.any())
     record.could_not_run(
         {Check::topology, Check::volume_surface, Check::volume_voxel, Check::surface_to_mesh},
@@ -221,7 +234,8 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
   }
 
   leave_unjudged(mesh, record);
-  if (options.coarse) record.does_not_apply({Check::normals}, "a grid from a coarse lattice");
+  if (options.coarse)
+    record.does_not_apply({Check::normals, Check::bounding_box}, "a grid from a coarse lattice");
   if (options.voxels == 0)
     record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel},
                      "no voxels are asked for");
@@ -243,8 +257,11 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
                          why);
     report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
   }
-  note_thin_solid(surface.report(), comparison.allowed, report);
-  if (mesh.unjudged.any() || report.by_corners) return name_region(regions, record);
+  note_thin_solid(surface.judgement(), comparison.allowed, report);
+  if (mesh.unjudged.any() || report.by_corners) {
+    name_region(regions, record);
+    return name_bounding_box(record);
+  }
   const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   check_volume_surface(volumes, record);
   check_volume_voxel(volumes, options.region, voxels, record);
