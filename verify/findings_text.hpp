@@ -25,6 +25,8 @@ std::string if_mended_text(const Report& report, const Numbering& numbering = {}
 /// One line without its end that begins with "sound: ", "DEFECTIVE: " or "incomplete: ". It says what was
 /// judged, what was not judged, and what the options left out.
 std::string verdict_text(const Report& report);
+/// The name of a region: "physical 2 (steel)", "entity 2", or its number alone.
+std::string region_text(const RegionTag& tag);
 /// The reasons: a line for each item that was not judged or was left out.
 std::string scope_text(const Report& report);
 

@@ -73,8 +73,7 @@ void report_other_order(const TetrahedraEvidence& tetrahedra, const WholeMeshEvi
             shorten(finding);
             finding.what = fmt::format("{}{}{} are negative: their vertices are in the other order{}",
                                        negative == set.tets ? "all " : fmt::format("{} of ", negative),
-                                       io::counted(set.tets, "tetrahedra"),
-                                       set.region ? fmt::format(" of region {}", *set.region) : "",
+                                       io::counted(set.tets, "tetrahedra"), set.of_region,
                                        set.region ? "" : ", or the mesh is mirrored");
           }};
   if (sets[0].region) return;

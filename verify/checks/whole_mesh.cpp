@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/bytes/words.hpp"
+#include "verify/findings_text.hpp"
 #include "verify/mesh/copies.hpp"
 
 namespace tetproof::verify {
@@ -23,12 +24,13 @@ bool nearly_all(std::size_t some, std::int64_t all) {
 
 std::vector<OtherOrder> in_the_other_order(const TetMesh& mesh, const Orientations& signs,
                                            const std::vector<std::uint8_t>& excluded,
-                                           const std::vector<std::int64_t>& regions) {
+                                           const Options& options) {
+  const std::vector<std::int64_t>& regions = options.regions;
   if (signs.negative.size() < 2) return {};
   const auto without = static_cast<std::int64_t>(std::count(excluded.begin(), excluded.end(), 1)) +
                        static_cast<std::int64_t>(signs.flat.size());
   const auto all = static_cast<std::int64_t>(mesh.tets.size()) - without;
-  if (nearly_all(signs.negative.size(), all)) return {{std::nullopt, signs.negative, all}};
+  if (nearly_all(signs.negative.size(), all)) return {{std::nullopt, "", signs.negative, all}};
   if (regions.empty()) return {};
   std::map<std::int64_t, OtherOrder> by_region;
   for (const Index t : signs.negative) by_region[regions[t]].negative.push_back(t);
@@ -41,6 +43,9 @@ std::vector<OtherOrder> in_the_other_order(const TetMesh& mesh, const Orientatio
   std::vector<OtherOrder> result;
   for (auto& [region, set] : by_region) {
     set.region = region;
+    set.of_region = " of " + (options.region_tags.empty()
+                                  ? fmt::format("region {}", region)
+                                  : region_text(options.region_tags[static_cast<std::size_t>(region)]));
     if (nearly_all(set.negative.size(), set.tets)) result.push_back(std::move(set));
   }
   return result;
@@ -156,7 +161,7 @@ WholeMeshEvidence examine_whole_mesh(const TetMesh& mesh, const PointEvidence& p
   WholeMeshEvidence evidence;
   if (record.wants(Check::index_range)) find_shift(mesh, points, tetrahedra.signs, record, evidence);
   if (record.wants(Check::inverted) && evidence.shift == 0)
-    evidence.other_order = in_the_other_order(mesh, tetrahedra.signs, points.excluded, options.regions);
+    evidence.other_order = in_the_other_order(mesh, tetrahedra.signs, points.excluded, options);
   if (record.wants(Check::duplicate_tet) && evidence.shift == 0)
     evidence.copies = find_copies(mesh, points.excluded, points.same_place);
   return evidence;
@@ -179,13 +184,13 @@ std::optional<MendedMesh> mend(const TetMesh& mesh, const PointEvidence& points,
     say(fmt::format("all vertex numbers {} {}", std::abs(whole.shift), whole.shift > 0 ? "lower" : "higher"));
     const PointEvidence right = examine_points(mended.mesh, record);
     other_order = in_the_other_order(mended.mesh, orientations(mended.mesh, right.excluded), right.excluded,
-                                     mended.options.regions);
+                                     mended.options);
     copies = find_copies(mended.mesh, right.excluded, points.same_place);
   }
   for (const OtherOrder& set : other_order)
     say(fmt::format("{}{} in the other vertex order",
                     io::counted(turn(mended.mesh, mended.options.regions, set), "tetrahedra"),
-                    set.region ? fmt::format(" of region {}", *set.region) : ""));
+                    set.of_region));
   if (!copies.empty())
     say(fmt::format("one of each set of equal tetrahedra ({} left out)", remove_copies(mended, copies)));
   return mended;

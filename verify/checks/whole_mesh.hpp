@@ -14,7 +14,8 @@ namespace tetproof::verify {
 
 /// Tetrahedra in the other vertex order: nine tenths or more of a mesh, or of a region, are negative.
 struct OtherOrder {
-  std::optional<std::int64_t> region;  ///< absent: of the whole mesh
+  std::optional<std::int64_t> region;  ///< as in `Options::regions`; absent: of the whole mesh
+  std::string of_region;               ///< " of region 3", " of physical 2 (steel)"; empty: of the whole mesh
   std::vector<Index> negative;         ///< ascending
   std::int64_t tets = 0;               ///< of the mesh or the region, without those that have no sign
 };

@@ -59,6 +59,11 @@ std::string place(const Finding& finding, const Numbering& numbering) {
 
 }  // namespace
 
+std::string region_text(const RegionTag& tag) {
+  return (tag.kind.empty() ? "" : tag.kind + " ") + fmt::format("{}", tag.tag) +
+         (tag.name.empty() ? "" : " (" + tag.name + ")");
+}
+
 std::string finding_text(const Finding& finding, const Numbering& numbering) {
   const std::string where = place(finding, numbering);
   std::string text = fmt::format("{}{}{}\n", where, where.empty() ? "" : ": ", finding.what);

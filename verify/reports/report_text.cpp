@@ -39,9 +39,7 @@ std::string report_text(const Report& report, const Numbering& numbering) {
                       io::counted(report.mesh.boundary_faces, "boundary faces"), shape_text(report.mesh));
   for (std::size_t i = 0; i < report.regions.size() && i < most_regions; ++i) {
     const auto& [tag, shape] = report.regions[i];
-    const std::string name = (tag.kind.empty() ? "" : tag.kind + " ") + fmt::format("{}", tag.tag) +
-                             (tag.name.empty() ? "" : " (" + tag.name + ")");
-    text += fmt::format("region    {}: {}, volume {:.12g}; boundary of {}, {}\n", name,
+    text += fmt::format("region    {}: {}, volume {:.12g}; boundary of {}, {}\n", region_text(tag),
                         io::counted(shape.tets, "tetrahedra"), shape.volume.value_or(0),
                         io::counted(shape.boundary_faces, "faces"), shape_text(shape));
   }

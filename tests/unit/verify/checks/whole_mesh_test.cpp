@@ -98,6 +98,13 @@ TEST(WholeMesh, OneRegionInTheOtherOrder) {
   EXPECT_EQ(report[Check::inverted].findings[0].tet_runs, (Runs{{12, 23}}));
   EXPECT_EQ(report.if_mended->how, "12 tetrahedra of region 3 in the other vertex order");
   EXPECT_EQ(report.if_mended->certificate, true);
+  // A region that a file names is called as it is there.
+  for (std::int64_t& region : regions) region = region == 3 ? 1 : 0;
+  const Report named = verify::verify(
+      mesh, {.regions = regions, .region_tags = {{"entity", 7, ""}, {"physical", 3, "steel"}}});
+  EXPECT_EQ(named.if_mended->how, "12 tetrahedra of physical 3 (steel) in the other vertex order");
+  EXPECT_THAT(named[Check::inverted].findings[0].what,
+              HasSubstr("all 12 tetrahedra of physical 3 (steel) are"));
   // Without the regions, they are twelve defects.
   EXPECT_EQ(verify::verify(mesh)[Check::inverted].count, 12);
 }
