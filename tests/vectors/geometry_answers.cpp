@@ -73,7 +73,11 @@ Json lattice(const Json& input, const std::string& mistake) {
     }
   const auto [nx, ny, nz] = made.cells;
   Json at = Json::array();
-  for (const Json& v : input["at"]) at.push_back(json(made.point(v[0], v[1], v[2])));
+  for (const Json& v : input["at"]) {
+    // A mistake may have made too few cells for this point.
+    const bool there = v[0] <= nx && v[1] <= ny && v[2] <= nz;
+    at.push_back(there ? json(made.point(v[0], v[1], v[2])) : Json());
+  }
   return {{"cells", made.cells},
           {"box", {json(made.point(0, 0, 0)), json(made.point(nx, ny, nz))}},
           {"points", at}};
