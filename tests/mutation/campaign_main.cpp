@@ -18,6 +18,7 @@
 #include "corpus/plant.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "scaled.hpp"
 #include "score.hpp"
 #include "verify/verify.hpp"
 
@@ -63,26 +64,13 @@ std::string replay(const Case& c, const std::vector<std::string>& names) {
                      corpus::plant_kinds()[c.kind].id, names[c.mesh]);
 }
 
-// The mesh times 2^power along each axis; nothing if a coordinate would lose a digit or leave the doubles.
-std::optional<TetMesh> scaled(const TetMesh& mesh, const std::array<int, 3>& power) {
-  TetMesh result = mesh;
-  for (Eigen::Vector3d& p : result.points)
-    for (int k = 0; k < 3; ++k) {
-      const double before = p[k];
-      p[k] = std::ldexp(before, power[k]);
-      if (std::isfinite(before) && (!std::isfinite(p[k]) || std::ldexp(p[k], -power[k]) != before))
-        return std::nullopt;
-    }
-  return result;
-}
-
 // What is wrong with the verdict on the planted mesh at another scale, along one axis, or without some of the
 // checks that the certificate does not need.
 std::string objection_elsewhere(const corpus::Planted& planted, std::uint64_t seed) {
   corpus::Random random(seed);
   const auto power = [&] { return random.below(1951) - 1000; };
   const int all = power();
-  if (const auto mesh = scaled(planted.mesh, {all, all, all}))
+  if (const auto mesh = test::scaled(planted.mesh, {all, all, all}))
     if (const std::string text = test::objection(planted, verify::verify(*mesh, {.quality = false}));
         !text.empty())
       return fmt::format("times 2^{}: {}", all, text);
@@ -93,7 +81,7 @@ std::string objection_elsewhere(const corpus::Planted& planted, std::uint64_t se
     if (const auto& row = verify::info(static_cast<verify::Check>(c));
         !row.certificate && random.below(2) == 1)
       options.skip.emplace_back(row.id);
-  if (const auto mesh = scaled(planted.mesh, axes))
+  if (const auto mesh = test::scaled(planted.mesh, axes))
     if (const verify::Report report = verify::verify(*mesh, options);
         report.certificate != planted.truth.valid())
       return fmt::format("times 2^{} 2^{} 2^{}, without {}: the certificate is wrong", axes[0], axes[1],

@@ -14,6 +14,7 @@
 
 #include "corpus/bad_meshes.hpp"
 #include "corpus/generators/random.hpp"
+#include "scaled.hpp"
 #include "verify/verify.hpp"
 
 namespace tetproof::test {
@@ -25,19 +26,6 @@ const std::vector<corpus::BadMesh>& zoo() {
 }
 
 using Powers = std::array<int, 3>;
-
-// The mesh times 2^power along each axis; nothing if a coordinate would lose a digit or leave the doubles.
-std::optional<TetMesh> scaled(const TetMesh& mesh, const Powers& power) {
-  TetMesh result = mesh;
-  for (Eigen::Vector3d& p : result.points)
-    for (int k = 0; k < 3; ++k) {
-      const double before = p[k];
-      p[k] = std::ldexp(before, power[k]);
-      if (std::isfinite(before) && (!std::isfinite(p[k]) || std::ldexp(p[k], -power[k]) != before))
-        return std::nullopt;
-    }
-  return result;
-}
 
 std::string name_of(const Powers& power) {
   return "2^" + std::to_string(power[0]) + ", 2^" + std::to_string(power[1]) + ", 2^" +

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
+
+#include "verify/triangles/disjoint_sets.hpp"
 
 namespace tetproof::verify {
 
@@ -29,22 +32,15 @@ void find_interfaces(const Interface& interface, const FacesAtVertices& at, Gaps
       if (gaps.free(c.triangle) && gaps.free(g) && interface.opposite(c.triangle, g) &&
           interface.coplanar(g, c.triangle))
         links.emplace_back(c.triangle, g);
-  std::map<Index, Index> parent;
-  const auto find = [&](Index f) {
-    Index root = parent.try_emplace(f, f).first->second;
-    while (root != parent.at(root)) root = parent.at(root);
-    for (Index i = f; i != root;) i = std::exchange(parent.at(i), root);
-    return root;
-  };
-  for (const auto& [f, g] : links) {
-    const auto [low, high] = std::minmax({find(f), find(g)});
-    parent.at(high) = low;
-  }
-  std::map<Index, std::vector<Index>> clusters;
-  for (const auto& [f, up] : parent) clusters[f].clear();
-  for (auto& [f, faces] : clusters) clusters.at(find(f)).push_back(f);
-  for (const auto& [root, faces] : clusters)
-    if (faces.size() > 1 && interface.closes(faces)) gaps.add(faces);
+  if (links.empty()) return;
+  DisjointSets sets(gaps.of_face.size());
+  for (const auto& [f, g] : links) sets.unite(f, g);
+  std::map<Index, std::set<Index>> clusters;
+  for (const auto& [f, g] : links) clusters[sets.find(f)].insert({f, g});
+  for (const auto& [lowest, cluster] : clusters)
+    if (const std::vector<Index> faces(cluster.begin(), cluster.end());
+        faces.size() > 1 && interface.closes(faces))
+      gaps.add(faces);
 }
 
 }  // namespace tetproof::verify

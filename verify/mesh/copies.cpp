@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <utility>
+#include <tuple>
+
+#include "verify/mesh/same_places.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -22,20 +23,16 @@ std::vector<std::vector<Index>> find_copies(const TetMesh& mesh, const std::vect
                                             const std::vector<std::vector<Index>>& same_place) {
   std::vector<std::vector<Index>> copies;
   if (same_place.empty()) return copies;
-  std::vector<Index> place(mesh.points.size());
-  std::iota(place.begin(), place.end(), 0);
-  std::vector<std::uint8_t> several(mesh.points.size(), 0);
-  for (const std::vector<Index>& points : same_place)
-    for (const Index v : points) place[v] = points[0], several[v] = 1;
+  const SamePlaces places(mesh.points.size(), same_place);
 
   std::vector<Record> records;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (!excluded.empty() && excluded[t]) continue;
     Record record{mesh.tets[t], mesh.tets[t], static_cast<Index>(t)};
     // Two copies differ in a number, and both numbers are of points in one place.
-    if (std::none_of(record.numbers.begin(), record.numbers.end(), [&](Index v) { return several[v]; }))
+    if (std::none_of(record.numbers.begin(), record.numbers.end(), [&](Index v) { return places.shared[v]; }))
       continue;
-    for (Index& v : record.places) v = place[v];
+    for (Index& v : record.places) v = places.first[v];
     std::sort(record.places.begin(), record.places.end());
     std::sort(record.numbers.begin(), record.numbers.end());
     if (std::adjacent_find(record.places.begin(), record.places.end()) != record.places.end())

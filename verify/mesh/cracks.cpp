@@ -4,8 +4,9 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "verify/mesh/same_places.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -27,17 +28,14 @@ Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& exclude
                    std::span<const FaceId> boundary, const std::vector<std::vector<Index>>& same_place) {
   Cracks result;
   if (same_place.empty()) return result;
-  std::vector<Index> place(mesh.points.size());
-  std::iota(place.begin(), place.end(), 0);
-  std::vector<std::uint8_t> several(mesh.points.size(), 0);
-  for (const std::vector<Index>& points : same_place)
-    for (const Index v : points) place[v] = points[0], several[v] = 1;
+  const SamePlaces places(mesh.points.size(), same_place);
 
   std::vector<Record> records;
   for (const FaceId face : boundary) {
     const auto vertices = vertices_of(mesh, face);
-    if (std::none_of(vertices.begin(), vertices.end(), [&](Index v) { return several[v]; })) continue;
-    auto [a, b, c] = std::array{place[vertices[0]], place[vertices[1]], place[vertices[2]]};
+    if (std::none_of(vertices.begin(), vertices.end(), [&](Index v) { return places.shared[v]; })) continue;
+    auto [a, b, c] =
+        std::array{places.first[vertices[0]], places.first[vertices[1]], places.first[vertices[2]]};
     if (a == b || b == c || c == a) continue;  // a face without area is no crack
     bool odd = false;
     if (a > b) std::swap(a, b), odd = !odd;
@@ -56,16 +54,16 @@ Cracks find_cracks(const TetMesh& mesh, const std::vector<std::uint8_t>& exclude
   std::sort(result.pairs.begin(), result.pairs.end());
   if (result.pairs.empty()) return result;
 
-  std::fill(several.begin(), several.end(), 0);  // from here on it marks the points of cracked faces
+  std::vector<std::uint8_t> cracked(mesh.points.size(), 0);  // points of cracked faces
   for (const auto& pair : result.pairs)
     for (const FaceId face : pair)
-      for (const Index v : vertices_of(mesh, face)) several[v] = 1;
+      for (const Index v : vertices_of(mesh, face)) cracked[v] = 1;
   TetMesh& closed = result.closed.emplace(mesh);
   for (std::size_t t = 0; t < closed.tets.size(); ++t) {
     if (!excluded.empty() && excluded[t]) continue;
     std::array<Index, 4> tet = closed.tets[t];
     for (Index& v : tet)
-      if (several[v]) v = place[v];
+      if (cracked[v]) v = places.first[v];
     if (differ(tet)) closed.tets[t] = tet;  // otherwise it is flat and stays as it is
   }
   return result;

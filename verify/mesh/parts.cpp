@@ -4,7 +4,9 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
+
+#include "verify/triangles/disjoint_sets.hpp"
 
 namespace tetproof::verify {
 
@@ -24,27 +26,18 @@ std::vector<Index> parts_of(const TetMesh& mesh, const std::vector<std::uint8_t>
   }
   tbb::parallel_sort(faces.begin(), faces.end());
 
-  std::vector<Index> parent(mesh.tets.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](Index t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  const auto join = [&](Index s, Index t) {
-    const auto [low, high] = std::minmax({find(s), find(t)});
-    parent[high] = low;
-  };
+  DisjointSets sets(mesh.tets.size());
   for (std::size_t i = 1; i < faces.size(); ++i)
     if (std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin()))
-      join(faces[i][3], faces[i - 1][3]);
-  for (const auto& [one, other] : also) join(tet_of(one), tet_of(other));
+      sets.unite(faces[i][3], faces[i - 1][3]);
+  for (const auto& [one, other] : also) sets.unite(tet_of(one), tet_of(other));
 
   // A root is the lowest tetrahedron of its part.
   std::vector<Index> part(mesh.tets.size(), -1);
   Index parts = 0;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (!excluded.empty() && excluded[t]) continue;
-    const Index root = find(static_cast<Index>(t));
+    const Index root = sets.find(static_cast<Index>(t));
     part[t] = root == static_cast<Index>(t) ? parts++ : part[root];
   }
   return part;

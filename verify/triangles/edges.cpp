@@ -8,25 +8,10 @@
 #include <numeric>
 #include <utility>
 
+#include "verify/triangles/disjoint_sets.hpp"
+
 namespace tetproof::verify {
 namespace {
-
-// Disjoint sets whose representative is the lowest member.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index i, Index j) {
-    i = find(i), j = find(j);
-    if (i != j) parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 template <class T>
 void append(std::vector<T>& list, std::vector<T>& more) {
@@ -100,7 +85,7 @@ EdgeMatching match_edges(std::span<const Triangle> triangles, std::size_t vertic
 
 Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Side>& mate,
                    const std::vector<std::uint8_t>& excluded) {
-  Sets sheet_of(triangles.size()), fan_of(3 * triangles.size());
+  DisjointSets sheet_of(triangles.size()), fan_of(3 * triangles.size());
   for (Side s = 0; s < static_cast<Side>(mate.size()); ++s) {
     const Side other = mate[s];
     if (other < s) continue;  // it has no mate, or the mate has been here already

@@ -5,10 +5,10 @@
 #include <tbb/parallel_sort.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <tuple>
@@ -38,19 +38,12 @@ void both(bool parallel, const F& f, const G& g) {
     f(), g();
 }
 
-struct Bounds {
-  Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-  void add(const Bounds& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
-  bool meets(const Bounds& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
+using Bounds = Eigen::AlignedBox3d;
 
 Bounds bounds(const Piece& piece) {
   Bounds box;
-  for (const Vector& p : piece.corners) box.add({p, p});
-  box.low.array() -= piece.slack, box.high.array() += piece.slack;
+  for (const Vector& p : piece.corners) box.extend(p);
+  box.min().array() -= piece.slack, box.max().array() += piece.slack;
   return box;
 }
 
@@ -113,15 +106,15 @@ class Tree {
     std::vector<Set> sets;
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
       Bounds box;
-      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) box.add(bounds(pieces_[order_[k]]));
-      sets.push_back({starts[i], starts[i + 1], box.low + (box.high - box.low) / 2});
+      for (std::size_t k = starts[i]; k < starts[i + 1]; ++k) box.extend(bounds(pieces_[order_[k]]));
+      sets.push_back({starts[i], starts[i + 1], box.min() + box.sizes() / 2});
     }
     const auto arrange = [&](const auto& self, std::span<Set> part) -> void {
       if (part.size() < 3) return;
       Bounds box;
-      for (const Set& set : part) box.add({set.middle, set.middle});
+      for (const Set& set : part) box.extend(set.middle);
       Eigen::Index axis = 0;
-      (box.high - box.low).maxCoeff(&axis);
+      box.sizes().maxCoeff(&axis);
       const std::size_t half = part.size() / 2;
       std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
                        [&](const Set& a, const Set& b) { return a.middle[axis] < b.middle[axis]; });
@@ -171,12 +164,12 @@ class Tree {
   void summarise(Group& group) const {
     if (group.left) {
       group.box = group.left->box;
-      group.box.add(group.right->box);
+      group.box.extend(group.right->box);
       group.slack = std::max(group.left->slack, group.right->slack);
       return;
     }
     for (std::size_t k = group.begin; k < group.end; ++k) {
-      group.box.add(bounds(pieces_[order_[k]]));
+      group.box.extend(bounds(pieces_[order_[k]]));
       group.slack = std::max(group.slack, pieces_[order_[k]].slack);
     }
   }
@@ -240,7 +233,7 @@ class Search {
  private:
   bool to_compare(const Group& a, const Group& b) const {
     return !(compare_ == Compare::pairs_with_hub && a.no_hub && b.no_hub) && !have_common(a.hubs, b.hubs) &&
-           a.box.meets(b.box);
+           a.box.intersects(b.box);
   }
 
   // Pairs inside one group.
@@ -272,7 +265,7 @@ class Search {
   }
 
   void compare(const Piece& a, const Piece& b) const {
-    if (a.owner != b.owner && !have_common(a.hubs, b.hubs) && bounds(a).meets(bounds(b)))
+    if (a.owner != b.owner && !have_common(a.hubs, b.hubs) && bounds(a).intersects(bounds(b)))
       report_(a.owner, b.owner);
   }
 

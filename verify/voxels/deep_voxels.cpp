@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "verify/triangles/disjoint_sets.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -155,23 +156,18 @@ std::pair<std::size_t, std::size_t> runs_at(const std::vector<Run>& runs, int i,
 }
 
 std::vector<std::size_t> components(const std::vector<Run>& runs) {
-  std::vector<std::size_t> parent(runs.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t r) {
-    while (parent[r] != r) r = parent[r] = parent[parent[r]];
-    return r;
-  };
+  DisjointSets sets(runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const auto& [di, dj] : {std::pair(-1, -1), std::pair(-1, 0), std::pair(-1, 1), std::pair(0, -1)}) {
       const auto [first, last] =
           runs_at(runs, runs[r].i + di, runs[r].j + dj, runs[r].begin - 1, runs[r].end + 1);
-      for (std::size_t other = first; other < last; ++other) {
-        const std::size_t a = root(r), b = root(other);
-        parent[std::max(a, b)] = std::min(a, b);
-      }
+      for (std::size_t other = first; other < last; ++other)
+        sets.unite(static_cast<Index>(r), static_cast<Index>(other));
     }
-  for (std::size_t r = 0; r < runs.size(); ++r) parent[r] = root(r);
-  return parent;
+  std::vector<std::size_t> lowest(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    lowest[r] = static_cast<std::size_t>(sets.find(static_cast<Index>(r)));
+  return lowest;
 }
 
 }  // namespace
