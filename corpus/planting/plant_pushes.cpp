@@ -78,7 +78,8 @@ std::vector<PlantKind> push_kinds() {
        .expected = defective,
        .flags = {"orientation", "boundary"},
        .needed = {"inverted"},
-       .also = {"flat"},
+       // The vertex may come to lie beside another part of the boundary.
+       .also = {"flat", "near-contact"},
        .comment = "a boundary vertex is pushed through the opposite face of one of its tetrahedra",
        .mutate = [](Site& s) { return push_through(s, false, 0.05, 0.6); }},
       {.id = "pushed-through-by-one-unit",
