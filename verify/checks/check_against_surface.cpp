@@ -176,17 +176,15 @@ void name_region(const RegionEvidence& regions, Record& record) {
 // excess whatever the other elements fill.
 void leave_unjudged(const JudgedMesh& mesh, Record& record) {
   if (mesh.unjudged.any())
-    record.does_not_apply({Check::bounding_box}, "elements that are not judged may reach farther");
-  if (mesh.unjudged.any())
-    record.could_not_run(
-        {Check::topology, Check::volume_surface, Check::volume_voxel, Check::surface_to_mesh},
-        "elements that are not judged may fill a part of the region");
+    record.could_not_run({Check::bounding_box, Check::topology, Check::volume_surface, Check::volume_voxel,
+                          Check::surface_to_mesh},
+                         "elements that are not judged may fill a part of the region");
   if (mesh.unjudged.any() && !mesh.unjudged.known())
     record.could_not_run({Check::missing_region}, "elements that are not judged may be anywhere");
   if (record.report.by_corners)
     record.could_not_run(
-        {Check::missing_region, Check::excess_region, Check::volume_surface, Check::volume_voxel,
-         Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
+        {Check::bounding_box, Check::missing_region, Check::excess_region, Check::volume_surface,
+         Check::volume_voxel, Check::mesh_to_surface, Check::surface_to_mesh, Check::normals},
         "the tetrahedra are curved between their corners");
 }
 
@@ -258,10 +256,7 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     report.notes.push_back(fmt::format("distances were not measured, components not paired: {}", why));
   }
   note_thin_solid(surface.judgement(), comparison.allowed, report);
-  if (mesh.unjudged.any() || report.by_corners) {
-    name_region(regions, record);
-    return name_bounding_box(record);
-  }
+  if (mesh.unjudged.any() || report.by_corners) return name_region(regions, record);
   const VolumeEvidence volumes = compare_volumes(mesh, surface.judgement(), own);
   check_volume_surface(volumes, record);
   check_volume_voxel(volumes, options.region, voxels, record);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/checks/root_causes.hpp"
 #include "verify/checks/surface_comparison.hpp"
 #include "verify/checks/surface_names.hpp"
 #include "verify/distance/directed_distance.hpp"
@@ -38,10 +39,9 @@ void find_off_vertices(const Comparison& c, DistanceEvidence& evidence) {
   std::sort(vertices.begin(), vertices.end());
   const double allowed = c.allowed / tree.units().scale;
   // Far from the surface all its triangles are nearly as far, and the nearest takes long to find. A
-  // thousandth of the distance is close enough to put the vertices in order; the first ones are measured
-  // again.
+  // thousandth of the distance is close enough to put the vertices in order; those that the report names are
+  // measured again.
   constexpr double share = 1e-3;
-  constexpr std::size_t measured_again = 64;
   const auto at_least = [&](double distance) { return (distance - distance_slack) * tree.units().scale; };
   // A vertex that is undecided is collected with a negative distance.
   std::vector<OffVertex> found = collect_in_order<OffVertex>(
@@ -71,7 +71,7 @@ void find_off_vertices(const Comparison& c, DistanceEvidence& evidence) {
   std::erase_if(found, [](const OffVertex& o) { return o.distance < 0; });
   const auto farther = [](const OffVertex& a, const OffVertex& b) { return a.distance > b.distance; };
   std::stable_sort(found.begin(), found.end(), farther);
-  const std::size_t first = std::min(found.size(), measured_again);
+  const std::size_t first = std::min(found.size(), most_findings);
   tbb::parallel_for(std::size_t{0}, first, [&](std::size_t i) {
     OffVertex& o = found[i];
     const Point p = tree.units().to(points[static_cast<std::size_t>(o.vertex)]);

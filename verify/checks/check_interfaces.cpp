@@ -58,7 +58,7 @@ Finding finding_of(const TetMesh& mesh, const Boundary& boundary, const Touching
 
 void examine_interfaces(const TetMesh& mesh, const PointEvidence& points,
                         const TetrahedraEvidence& tetrahedra, const Cracks& cracks, const Boundary& boundary,
-                        ContactEvidence& contacts, const Record& record) {
+                        ContactEvidence& contacts, Record& record) {
   if (!record.wants(Check::non_conforming_interface) || contacts.meetings.pairs.empty()) return;
   std::vector<Index> not_positive = tetrahedra.signs.negative;
   not_positive.insert(not_positive.end(), tetrahedra.signs.flat.begin(), tetrahedra.signs.flat.end());
@@ -66,6 +66,11 @@ void examine_interfaces(const TetMesh& mesh, const PointEvidence& points,
       mesh, points.excluded, boundary, contacts.meetings.pairs,
       [&](Index s, Index t) { return contacts.conformity.cause_of_pair(boundary, s, t).has_value(); },
       cracks.pairs, not_positive);
+  if (contacts.interfaces.given_up)
+    record.could_not_run({Check::non_conforming_interface},
+                         fmt::format("more than {} pairs of tetrahedra of parts that may touch were to be "
+                                     "compared",
+                                     most_compared_tets));
   if (!contacts.interfaces.touching.empty()) leave_out_touching(mesh, boundary, contacts);
 }
 

@@ -82,7 +82,7 @@ void check_conformity(const TetMesh& mesh, const Boundary& boundary, const Conta
 /// Finds parts that touch, and drops covered faces that only such parts cover.
 void examine_interfaces(const TetMesh& mesh, const PointEvidence& points,
                         const TetrahedraEvidence& tetrahedra, const Cracks& cracks, const Boundary& boundary,
-                        ContactEvidence& contacts, const Record& record);
+                        ContactEvidence& contacts, Record& record);
 /// So many faces of an interface are listed; the others are counted.
 inline constexpr std::size_t most_faces_of_an_interface = 100;
 /// non-conforming-interface; the cause of what the checks before found at an interface.

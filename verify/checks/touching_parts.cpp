@@ -25,8 +25,8 @@ Parts ascending(Index s, Index t) {
 }
 
 // Removes the parts that overlap. Only tetrahedra near a place where two boxes of parts meet are compared.
-void remove_overlapping(const TetMesh& mesh, const std::vector<Index>& part_of_tet, Candidates& candidates) {
-  constexpr std::size_t most_compared = 100'000'000;
+// False if these are too many.
+bool remove_overlapping(const TetMesh& mesh, const std::vector<Index>& part_of_tet, Candidates& candidates) {
   std::map<Index, Eigen::AlignedBox3d> box_of_part;
   for (const auto& [parts, faces] : candidates)
     for (const Index part : parts) box_of_part[part];
@@ -56,16 +56,15 @@ void remove_overlapping(const TetMesh& mesh, const std::vector<Index>& part_of_t
   }
   std::size_t compared = 0;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (candidates.empty()) return;
+    if (compared > most_compared_tets) return;
     const Parts parts = ascending(part_of_tet[a.number], part_of_tet[b.number]);
     if (parts[0] == parts[1]) return;
     const auto pair = candidates.find(parts);
     if (pair == candidates.end()) return;
-    if (++compared > most_compared)
-      candidates.clear();
-    else if (overlap(mesh.points, mesh.tets[a.number], mesh.tets[b.number]))
+    if (++compared <= most_compared_tets && overlap(mesh.points, mesh.tets[a.number], mesh.tets[b.number]))
       candidates.erase(pair);
   });
+  return compared <= most_compared_tets;
 }
 
 }  // namespace
@@ -101,7 +100,10 @@ Interfaces find_touching_parts(const TetMesh& mesh, const std::vector<std::uint8
     if (parts[0] != parts[1] && !faulty.contains(parts[0]) && !faulty.contains(parts[1]))
       candidates[parts].push_back({s, t});
   }
-  if (!candidates.empty()) remove_overlapping(mesh, result.part_of_tet, candidates);
+  if (!candidates.empty() && !remove_overlapping(mesh, result.part_of_tet, candidates)) {
+    result.given_up = true;
+    candidates.clear();
+  }
   for (auto& [parts, faces] : candidates) result.touching.push_back({parts, std::move(faces)});
   if (result.touching.empty()) result.part_of_tet.clear();
   return result;

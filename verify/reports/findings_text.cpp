@@ -106,7 +106,9 @@ std::string if_mended_text(const Report& report, const Numbering& numbering, std
     for (const CheckResult& result : mended.checks)
       if (result.verdict == verdict) remains += check_text(result, numbering, most);
   std::string text = fmt::format("judged again with {}: {}; {}\n", mended.how,
-                                 mended.certificate == true ? "certified" : "no certificate",
+                                 mended.certificate == true    ? "certified"
+                                 : mended.certificate == false ? "no certificate"
+                                                               : "no certificate, a check was not made",
                                  remains.empty() ? "nothing is wrong" : "this remains");
   for (std::size_t start = 0, end; start < remains.size(); start = end) {
     end = remains.find('\n', start) + 1;

@@ -127,7 +127,8 @@ TEST(MixedMesh, IsIncompleteAgainstItsSurfaceAndNothingIsMissing) {
     EXPECT_EQ(report[Check::surface_to_mesh].verdict, Verdict::skipped);
     // The side between the halves has eight triangles.
     ASSERT_EQ(report.not_judged.size(), 3u);
-    EXPECT_EQ(report.not_judged[1].what, "checks topology, volume-surface, volume-voxel, surface-to-mesh");
+    EXPECT_EQ(report.not_judged[1].what,
+              "checks bounding-box, topology, volume-surface, volume-voxel, surface-to-mesh");
     EXPECT_EQ(report.not_judged[2].what, "boundary faces");
     EXPECT_EQ(report.not_judged[2].count, 8);
   }
@@ -194,10 +195,10 @@ TEST(MixedMesh, ElementsAtUnknownPlacesMayFillAnything) {
                {.region = Region::inside, .fidelity = 0, .voxels = 48, .only_tets = only_tets});
     expect_incomplete(report);
     EXPECT_EQ(not_judged(report),
-              (std::vector<std::string>{"cells of type 42", "check unused-point",
-                                        "checks topology, volume-surface, volume-voxel, surface-to-mesh",
-                                        "check missing-region",
-                                        "checks off-surface-vertex, mesh-to-surface, normals"}));
+              (std::vector<std::string>{
+                  "cells of type 42", "check unused-point",
+                  "checks bounding-box, topology, volume-surface, volume-voxel, surface-to-mesh",
+                  "check missing-region", "checks off-surface-vertex, mesh-to-surface, normals"}));
     EXPECT_EQ(report[Check::excess_region].verdict, Verdict::pass);
   }
 }
@@ -277,7 +278,7 @@ TEST(MixedMesh, CurvedTetrahedraAreComparedByTheirCornersOnly) {
   EXPECT_EQ(right[Check::volume_surface].verdict, Verdict::skipped);
   EXPECT_THAT(verdict_text(right),
               HasSubstr("incomplete: certified by corners: 96 tetrahedra; not judged: 96 "
-                        "curved shapes, 7 checks"));
+                        "curved shapes, 8 checks"));
   const Report wrong = verify::verify(tet_mesh(document), surface_of_all({4, 2, 1}), options);
   EXPECT_EQ(failed(wrong), std::vector<std::string>{"off-surface-vertex"});
 }
