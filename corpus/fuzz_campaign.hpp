@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a mesher on many random surfaces, judges what it writes, groups and shrinks what is wrong.
+// Runs meshers on many random surfaces, judges what they write, groups and shrinks what is wrong.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,13 @@
 
 namespace tetproof::corpus {
 
+/// Another finding in the repeats of a case, beside the worst one.
+struct FurtherFailure {
+  Outcome outcome{};
+  std::string signature, what;
+  int failed = 0;  ///< of the repeats
+};
+
 /// One case: one surface, one mesher, all repeats.
 struct CaseResult {
   std::uint64_t index = 0;
@@ -23,18 +30,44 @@ struct CaseResult {
   Outcome outcome = Outcome::sound;  ///< the worst of the repeats
   std::string signature;             ///< of `outcome`
   std::string what;
-  int repeats = 1, failed = 0;    ///< "3 of 20"
-  double cpu_s = 0, judge_s = 0;  ///< of all repeats
+  int repeats = 1, failed = 0;            ///< "3 of 20": the runs with this outcome and signature
+  std::vector<FurtherFailure> further{};  ///< other findings among the repeats
+  double cpu_s = 0, judge_s = 0;          ///< of all repeats
 };
 
-/// Cases that fail for the same cause, as far as one can tell from outside.
+/// Cases that fail for the same cause, as far as one can tell from outside: the same preset, outcome and
+/// signature, whatever the variant. Where several variants fail on one surface, their cases are neighbours.
 struct FailureGroup {
-  std::string mesher;
+  std::string mesher;  ///< the preset: the name without the variant
   Outcome outcome{};
   std::string signature;
-  std::vector<CaseResult> cases;  ///< the smallest surface first
+  std::vector<CaseResult> cases;        ///< the smallest surface first; with `outcome` and `signature`
+  std::vector<std::string> variants{};  ///< the names of the meshers in `cases`, sorted
+  std::int64_t surfaces = 0;            ///< the number of different ones in `cases`
   bool known = false;
   std::string id() const;  ///< "tetgen:crashed:insertpoint_cdt: ...": what a file of known groups lists
+};
+
+/// A mesher as reports name it.
+struct MesherFacts {
+  std::string name, command, version;
+  int repeats = 1;
+  /// The words of a command line of tetproof-fuzz that choose it, options first: "--mesher tetgen,pq", or
+  /// "-- COMMAND ...". Empty: a C++ function.
+  std::string words{};
+  bool operator==(const MesherFacts&) const = default;
+};
+
+/// What the results of a campaign depend on. A journal keeps it, and is continued with equal settings only.
+struct CampaignSettings {
+  std::uint64_t seed = 1, cases = 100;
+  std::uint64_t shard = 0, shards = 1;
+  FuzzOptions surfaces{};
+  Limits limits{};
+  JudgeOptions judge{};
+  int repeats = 0;  ///< 0: as the mesher says
+  std::vector<MesherFacts> meshers{};
+  std::string version{};  ///< of the program
 };
 
 struct CampaignOptions {
@@ -49,19 +82,67 @@ struct CampaignOptions {
   std::string folder{};              ///< the journal and the findings; empty: nothing is kept
   std::vector<std::string> known{};  ///< ids of groups
   std::function<void(const CaseResult&)> progress{};  ///< called after each case, one at a time
+  /// Called with lines about the whole: cases that the journal has, a group that is being shrunk.
+  std::function<void(const std::string&)> say{};
+  std::vector<std::string> words{};  ///< of each mesher, for `MesherFacts`; empty: none
+  std::string version{};             ///< of the program
+  /// Another source of surfaces than `fuzz_surface`: a pure function of the index.
+  std::function<FuzzSurface(std::uint64_t index)> surface_of{};
+};
+
+/// The smallest case of a group, shrunk.
+struct ShrunkCase {
+  std::string group;  ///< its id
+  std::uint64_t index = 0;
+  std::string mesher;
+  std::int64_t triangles = 0;      ///< after shrinking
+  int repeats = 1, failed = 0;     ///< of the shrunk surface; failed 0: the failure did not occur again
+  std::string steps{}, recipe{};   ///< what was done; the shrunk recipe if the surface is still what it builds
+  std::string folder{};            ///< of the finding, inside the campaign's folder; empty: none
+  std::int64_t calls = 0;          ///< of the mesher, for shrinking
+  double seconds = 0;
 };
 
 struct CampaignResult {
   std::vector<CaseResult> cases;     ///< in the order of their indices, then meshers
   std::vector<FailureGroup> groups;  ///< findings only, most serious outcome first
   std::int64_t surfaces = 0;
+  CampaignSettings settings{};
+  std::vector<ShrunkCase> shrunk{};          ///< in the order of the groups
+  std::vector<std::string> known_unseen{};   ///< known ids that did not occur
+  /// What is missing of merged shards, a line each: "shard 3 of 8 is missing", "shard 2 of 8 lacks 17 of 250
+  /// cases". Empty: nothing.
+  std::vector<std::string> missing{};
 };
 
-/// Runs the cases that the journal in the folder does not have yet, and reports on all.
+/// Runs the cases that the journal in the folder does not have yet, and reports on all. The result is the
+/// same for any number of threads, and whether or not it was interrupted, except for times.
+///
+/// InputError if the journal is in use, was made with other settings, or cannot be written. std::logic_error,
+/// with seed and index, if a surface cannot be built or is not what its recipe promises.
 CampaignResult run_campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options);
+
+/// Reads the journals in the folders and reports as one run of all shards would. `missing` names what is not
+/// there. InputError if there is no journal, if two have different settings, or the same shard twice.
+CampaignResult merge_campaign(const std::vector<std::string>& folders,
+                              const std::vector<std::string>& known = {});
 
 /// The groups of `cases`.
 std::vector<FailureGroup> group_failures(const std::vector<CaseResult>& cases,
                                          const std::vector<std::string>& known = {});
+
+/// Whether an outcome says nothing about the mesher's answer, because there was none to look at: slow,
+/// out_of_memory, not_compiled_in, not_judged. A campaign with such cases is not called sound.
+bool is_unjudged(Outcome outcome);
+
+/// How serious an outcome is: larger is worse. Wrong answers come before crashes, findings before the rest.
+int severity(Outcome outcome);
+
+/// The report for people: tables by mesher and by kind of surface, and the groups.
+std::string campaign_text(const CampaignResult& result);
+/// The report as JSON, without times: the same results give the same bytes.
+std::string campaign_json(const CampaignResult& result);
+/// The report as JUnit XML: a test suite for each mesher, a failure for each new group.
+std::string campaign_junit(const CampaignResult& result);
 
 }  // namespace tetproof::corpus

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "corpus/campaign/case_run.hpp"
+#include "corpus/campaign/certified_surface.hpp"
+#include "corpus/campaign/conclude.hpp"
+#include "corpus/campaign/journal.hpp"
+#include "corpus/campaign/shrink_groups.hpp"
+#include "corpus/fuzz_campaign.hpp"
+#include "io/error.hpp"
+
+namespace tetproof::corpus {
+namespace {
+
+CampaignSettings settings_of(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
+  CampaignSettings s{.seed = o.seed,
+                     .cases = o.cases,
+                     .shard = o.shard,
+                     .shards = o.shards,
+                     .surfaces = o.surfaces,
+                     .limits = o.limits,
+                     .judge = o.judge,
+                     .repeats = o.repeats,
+                     .version = o.version};
+  for (std::size_t m = 0; m < meshers.size(); ++m)
+    s.meshers.push_back({.name = meshers[m]->name(),
+                         .command = meshers[m]->command(),
+                         .version = meshers[m]->version(),
+                         .repeats = repeats_of(*meshers[m], o.repeats),
+                         .words = m < o.words.size() ? o.words[m] : ""});
+  return s;
+}
+
+void check(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
+  if (meshers.empty()) throw InputError("expected at least one mesher");
+  if (o.shards == 0 || o.shard >= o.shards)
+    throw InputError(fmt::format("expected a shard below the number of shards, found {} of {}", o.shard, o.shards));
+  std::set<std::string> names;
+  for (const Mesher* mesher : meshers)
+    if (!names.insert(mesher->name()).second)
+      throw InputError(fmt::format("the mesher '{}' is there twice", mesher->name()));
+  if (!o.surface_of) random_recipe(o.seed, 0, o.surfaces);  // throws for unknown kinds and modifiers
+}
+
+// Runs the cases that are not done yet, on several threads.
+class Campaign {
+ public:
+  Campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options,
+           Journal* journal, const std::string& scratch)
+      : meshers_(meshers), options_(options), journal_(journal), scratch_(scratch) {
+    if (journal_)
+      for (const CaseResult& result : journal_->content().cases) {
+        done_.emplace(result.index, result.mesher);
+        cases_.push_back(result);
+      }
+    next_ = options.shard;
+  }
+
+  std::vector<CaseResult> run() {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const int threads = options_.threads > 0 ? options_.threads : static_cast<int>(cores);
+    {
+      std::vector<std::jthread> workers;
+      for (int t = 1; t < threads; ++t) workers.emplace_back([this] { work(); });
+      work();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(cases_);
+  }
+
+ private:
+  void work() {
+    try {
+      while (!stop_) {
+        const std::uint64_t index = next_.fetch_add(options_.shards);
+        if (index >= options_.cases) return;
+        run_surface(index);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  void run_surface(std::uint64_t index) {
+    std::vector<const Mesher*> to_do;
+    for (const Mesher* mesher : meshers_)
+      if (!done_.contains({index, mesher->name()})) to_do.push_back(mesher);
+    if (to_do.empty()) return;
+    const CertifiedSurface made(options_, index);
+    const std::string recipe = made.recipe();
+    for (std::size_t m = 0; m < to_do.size() && !stop_; ++m) {
+      const std::string folder = fmt::format("{}/{}", scratch_, mesher_number(*to_do[m]));
+      CaseResult result = run_case(*to_do[m], made.judged(), index, folder, options_);
+      result.recipe = recipe;
+      keep(as_journalled(result));
+    }
+  }
+
+  std::size_t mesher_number(const Mesher& mesher) const {
+    return static_cast<std::size_t>(std::find(meshers_.begin(), meshers_.end(), &mesher) - meshers_.begin());
+  }
+
+  void keep(const CaseResult& result) {
+    if (journal_) journal_->append(result);
+    const std::lock_guard lock(mutex_);
+    cases_.push_back(result);
+    if (options_.progress) options_.progress(result);
+  }
+
+  const std::vector<const Mesher*>& meshers_;
+  const CampaignOptions& options_;
+  Journal* journal_;
+  std::string scratch_;
+  std::set<std::pair<std::uint64_t, std::string>> done_;
+  std::atomic<std::uint64_t> next_{0};
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::vector<CaseResult> cases_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+CampaignResult run_campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options) {
+  check(meshers, options);
+  const CampaignSettings settings = settings_of(meshers, options);
+  std::optional<Journal> journal;
+  if (!options.folder.empty()) journal.emplace(options.folder, settings);
+  if (journal && options.say && !journal->content().cases.empty())
+    options.say(fmt::format("{} results are in the journal", journal->content().cases.size()));
+  // Beside the journal, so that what a killed run left there is found and removed.
+  const ScratchFolder scratch(
+      journal ? fmt::format("{}/scratch-{}-of-{}", options.folder, options.shard, options.shards) : "");
+  Journal* const open = journal ? &*journal : nullptr;
+  std::vector<CaseResult> cases = Campaign(meshers, options, open, scratch.path()).run();
+
+  std::vector<ShrunkCase> shrunk;
+  if (open) {
+    shrunk = open->content().shrunk;
+    shrink_groups(meshers, options, group_failures(cases, options.known), *open, scratch.path(),
+                  static_cast<std::int64_t>(cases.size()), shrunk);
+  }
+  return conclude(settings, std::move(cases), std::move(shrunk), options.known);
+}
+
+}  // namespace tetproof::corpus

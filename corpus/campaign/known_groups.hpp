@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of known groups of failures. Not installed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tetproof::corpus {
+
+/// Reads a file of ids, one a line; what begins with # is a comment. InputError if it cannot be read, or if a
+/// line is no id: MESHER:OUTCOME:SIGNATURE.
+std::vector<std::string> read_known_groups(const std::string& path);
+
+}  // namespace tetproof::corpus
