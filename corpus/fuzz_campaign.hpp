@@ -52,9 +52,9 @@ struct FailureGroup {
 struct MesherFacts {
   std::string name, command, version;
   int repeats = 1;
-  /// The words of a command line of tetproof-fuzz that choose it, options first: "--mesher tetgen,pq", or
-  /// "-- COMMAND ...". Empty: a C++ function.
-  std::string words{};
+  /// The words of a command line of tetproof-fuzz that choose it: "--mesher", "tetgen,pq"; or options and
+  /// "--", "COMMAND", ... Empty: a C++ function.
+  std::vector<std::string> words{};
   bool operator==(const MesherFacts&) const = default;
 };
 
@@ -82,9 +82,10 @@ struct CampaignOptions {
   std::string folder{};              ///< the journal and the findings; empty: nothing is kept
   std::vector<std::string> known{};  ///< ids of groups
   std::function<void(const CaseResult&)> progress{};  ///< called after each case, one at a time
-  /// Called with lines about the whole: cases that the journal has, a group that is being shrunk.
+  std::function<void(std::uint64_t done)> started{};  ///< called first, with the results that are there already
+  /// Called with a line when a group is being shrunk.
   std::function<void(const std::string&)> say{};
-  std::vector<std::string> words{};  ///< of each mesher, for `MesherFacts`; empty: none
+  std::vector<std::vector<std::string>> words{};  ///< of each mesher, for `MesherFacts`; empty: none
   std::string version{};             ///< of the program
   /// Another source of surfaces than `fuzz_surface`: a pure function of the index.
   std::function<FuzzSurface(std::uint64_t index)> surface_of{};

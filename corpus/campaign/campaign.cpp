@@ -36,7 +36,7 @@ CampaignSettings settings_of(const std::vector<const Mesher*>& meshers, const Ca
                          .command = meshers[m]->command(),
                          .version = meshers[m]->version(),
                          .repeats = repeats_of(*meshers[m], o.repeats),
-                         .words = m < o.words.size() ? o.words[m] : ""});
+                         .words = m < o.words.size() ? o.words[m] : std::vector<std::string>{}});
   return s;
 }
 
@@ -137,8 +137,7 @@ CampaignResult run_campaign(const std::vector<const Mesher*>& meshers, const Cam
   const CampaignSettings settings = settings_of(meshers, options);
   std::optional<Journal> journal;
   if (!options.folder.empty()) journal.emplace(options.folder, settings);
-  if (journal && options.say && !journal->content().cases.empty())
-    options.say(fmt::format("{} results are in the journal", journal->content().cases.size()));
+  if (options.started) options.started(journal ? journal->content().cases.size() : 0);
   // Beside the journal, so that what a killed run left there is found and removed.
   const ScratchFolder scratch(
       journal ? fmt::format("{}/scratch-{}-of-{}", options.folder, options.shard, options.shards) : "");

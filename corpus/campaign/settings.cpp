@@ -103,7 +103,7 @@ CampaignSettings settings_of(const Json& json) {
                          .command = mesher.at("command"),
                          .version = mesher.at("version"),
                          .repeats = mesher.at("repeats"),
-                         .words = mesher.at("words")});
+                         .words = mesher.at("words").get<std::vector<std::string>>()});
   return s;
 }
 
@@ -124,8 +124,14 @@ std::string shell_word(const std::string& word) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%{}";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
+  for (const char c : word) {
+    if (c == '\'')
+      quoted += "'\\''";
+    else
+      quoted += c;
+  }
+  quoted += '\'';
+  return quoted;
 }
 
 std::string replay_command(const CampaignSettings& s, std::uint64_t index, const std::string& mesher) {
@@ -145,7 +151,10 @@ std::string replay_command(const CampaignSettings& s, std::uint64_t index, const
   if (s.repeats != usual.repeats) line += fmt::format(" --repeat {}", s.repeats);
   list("--check", s.judge.check);
   for (const MesherFacts& facts : s.meshers)
-    if (facts.name == mesher && !facts.words.empty()) return line + " " + facts.words;
+    if (facts.name == mesher && !facts.words.empty()) {
+      for (const std::string& word : facts.words) line += " " + shell_word(word);
+      return line;
+    }
   return "";
 }
 
