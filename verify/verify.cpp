@@ -19,11 +19,13 @@
 namespace tetproof::verify {
 namespace {
 
-// Measures the wall time from one call of `done` to the next.
+// Measures the wall time from one call of `done` to the next, and keeps the deadline.
 class Phases {
  public:
-  Phases(bool on, Report& report) : on_(on), report_(report) {}
+  Phases(const Options& options, Report& report)
+      : on_(options.timings), deadline_(options.deadline), report_(report) {}
   void done(const char* phase) {
+    keep(deadline_);
     const auto now = Clock::now();
     if (on_) report_.seconds.emplace_back(phase, std::chrono::duration<double>(now - last_).count());
     last_ = now;
@@ -32,6 +34,7 @@ class Phases {
  private:
   using Clock = std::chrono::steady_clock;
   bool on_;
+  const Deadline& deadline_;
   Report& report_;
   Clock::time_point last_ = Clock::now();
 };
@@ -96,7 +99,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   Record record(options, surface);
   refuse_unusable(mesh, surface, options);
   Report& report = record.report;
-  Phases phases(options.timings, report);
+  Phases phases(options, report);
   if (surface) report.notes = surface->report().notes;
   add_scope(options, report);
 

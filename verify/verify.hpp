@@ -11,6 +11,7 @@
 #include "io/document.hpp"
 #include "io/tet_mesh.hpp"
 #include "io/triangle_surface.hpp"
+#include "verify/deadline.hpp"
 #include "verify/report.hpp"
 #include "verify/surface.hpp"
 
@@ -73,6 +74,8 @@ struct Options {
   bool only_tets = false;
   bool timings = false;  ///< quality is measured beside the other phases; its own is the rest
   bool quality = true;   ///< measure angles and aspect ratios
+  /// `verify` throws OutOfTime soon after: it looks between its stages and while it measures distances.
+  Deadline deadline{};
 };
 
 /// Judges the mesh as it is written: nothing is re-wound, merged or repaired. All decisions are exact, and

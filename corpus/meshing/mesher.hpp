@@ -51,9 +51,10 @@ class Mesher {
   virtual std::string command() const = 0;  ///< with {surface} and {mesh}, as a user would type it
   virtual std::string version() const = 0;  ///< what it says of itself, one line; empty: unknown
   virtual std::string surface_ending() const = 0;  ///< ".stl", ".smesh", ...; empty: none is written
-  virtual bool may_change_boundary() const = 0;    ///< it may remesh the surface, within `fidelity`
-  virtual double fidelity()
-      const = 0;  ///< allowed distance of boundary and surface [box diagonal]; 0: the default
+  /// Whether it may remesh the surface, within `fidelity`. If not, the boundary must be the surface.
+  virtual bool may_change_boundary() const = 0;
+  /// The distance that boundary and surface may have [box diagonal], if it may change the boundary.
+  virtual double fidelity() const = 0;
   virtual int repeats() const = 0;  ///< runs of each case: more than 1 for meshers that are not deterministic
 };
 

@@ -46,6 +46,7 @@ void find_off_vertices(const Comparison& c, DistanceEvidence& evidence) {
   // A vertex that is undecided is collected with a negative distance.
   std::vector<OffVertex> found = collect_in_order<OffVertex>(
       vertices.size(), 1024, [&](std::size_t begin, std::size_t end, std::vector<OffVertex>& off) {
+        keep(c.judged_mesh.options.deadline);
         for (std::size_t i = begin; i < end; ++i) {
           const auto& [v, face] = vertices[i];
           const Point p = tree.units().to(points[static_cast<std::size_t>(v)]);
@@ -171,7 +172,8 @@ DistanceEvidence measure_distances(const Comparison& c, Record& record) {
       .allowed = c.allowed,
       .only_decide = options.coarse,
       .far_share = 1e-3,
-      .nearest_within = c.allowed};
+      .nearest_within = c.allowed,
+      .deadline = options.deadline};
   Fidelity& fidelity = record.report.fidelity.emplace();
   fidelity.allowed = c.allowed;
   if (to_surface && !c.faces.empty()) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "verify/deadline.hpp"
 #include "verify/distance/triangle_tree.hpp"
 #include "verify/hausdorff.hpp"
 
@@ -27,6 +28,7 @@ struct DistanceQuestion {
   /// centroid; -1 if none is within `nearest_within` [length] of it.
   std::vector<Index>* nearest = nullptr;
   double nearest_within = std::numeric_limits<double>::infinity();
+  Deadline deadline{};  ///< OutOfTime is thrown soon after
 };
 
 /// Both trees must have the same units.

@@ -89,6 +89,7 @@ std::vector<First> look_at_all(const TriangleTree& a, const TriangleTree& b, con
     }
     if (step == 2) how.enough = std::max(how.enough, wanted.accepted);
     tbb::parallel_for(std::size_t{0}, (a.size() + chunk - 1) / chunk, [&](std::size_t c) {
+      keep(question.deadline);
       Index guess = -1;
       for (std::size_t t = c * chunk; t < std::min(a.size(), (c + 1) * chunk); ++t) {
         if (step_of(t) == step) first[t] = first_look(a, b, static_cast<Index>(t), guess, how);
@@ -166,6 +167,7 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
       const PieceSearch search(b, lower, wanted);
       const std::size_t part = budget > 1000 ? 1 : 32;
       tbb::parallel_for(std::size_t{0}, (open.size() + part - 1) / part, [&](std::size_t c) {
+        keep(question.deadline);
         for (std::size_t i = c * part; i < std::min(open.size(), (c + 1) * part); ++i) {
           works[open[i]].looked_at = 0;
           search.run(works[open[i]], budget);
