@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the end of a mesher's process and its words mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corpus/meshing/outcome.hpp"
+#include "corpus/meshing/process.hpp"
+
+namespace tetproof::corpus {
+
+/// The class of an end, before anyone looks for the mesh.
+struct EndClass {
+  std::optional<Outcome> failure{};  ///< absent: success, as far as its exit code and words tell
+  std::string signature{};           ///< as in `MesherRun`
+  std::string message{};             ///< as in `MesherRun`
+  std::vector<std::string> warnings{};
+  /// A crash whose words do not say where it happened: a backtrace would tell more.
+  bool wants_backtrace = false;
+};
+
+EndClass classify_end(const ProcessEnd& end);
+
+/// "SIGSEGV" for 11.
+std::string signal_name(int signal);
+
+}  // namespace tetproof::corpus
