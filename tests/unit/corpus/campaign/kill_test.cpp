@@ -48,7 +48,7 @@ pid_t start_child(const std::string& folder) {
   const pid_t child = ::fork();
   if (child != 0) return child;
   ::setenv(folder_variable, folder.c_str(), 1);
-  ::execl("/proc/self/exe", "unit_corpus", "--gtest_filter=CampaignOfAChild.*", "--gtest_brief=1", nullptr);
+  ::execl("/proc/self/exe", "unit_campaign", "--gtest_filter=CampaignOfAChild.*", "--gtest_brief=1", nullptr);
   ::_exit(127);
 }
 
