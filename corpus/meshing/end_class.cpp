@@ -64,9 +64,11 @@ constexpr std::array claims{
 /// What was asked for is not part of this build.
 constexpr std::array absent{
     Words{"requires netgen"},  // Gmsh's frontal algorithm
-    Words{"not compiled with"},       Words{"must be compiled with"},   Words{"has to be compiled with"},
-    Words{"should be compiled with"}, Words{"was compiled without"},    Words{"compiled without"},
-    Words{"not available in this"},   Words{"algorithm not available"}, Words{"algorithm is not available"},
+    Words{"not compiled with"},       Words{"is not compiled in"},
+    Words{"must be compiled with"},   Words{"has to be compiled with"},
+    Words{"should be compiled with"}, Words{"was compiled without"},
+    Words{"compiled without"},        Words{"not available in this"},
+    Words{"algorithm not available"}, Words{"algorithm is not available"},
     Words{"not part of this build"},
 };
 
@@ -106,6 +108,8 @@ constexpr std::array reasons{Words{"error"},  Words{"exception"}, Words{"fatal"}
 constexpr std::array chatter{Words{"mesh generation error summary"},
                              Words{"-----"},
                              Words{" warnings"},
+                             Words{"    1 warning"},
+                             Words{"    1 error"},
                              Words{" errors"},
                              Words{"check the full log"},
                              Words{"0 error"},

@@ -70,8 +70,10 @@ struct CommandMesher {
 std::unique_ptr<Mesher> command_mesher(CommandMesher command);
 
 /// The mesher of "NAME" or "NAME,VARIANT". InputError, with the known names, if there is none, or if its
-/// program is not installed.
-std::unique_ptr<Mesher> preset_mesher(const std::string& name);
+/// program is not installed. `program_path`: a program to run in place of the installed one; the variable
+/// TETPROOF_NAME ("TETPROOF_CGAL" for "cgal") names one, too. Without either, programs beside this one or in
+/// the folders above it come before those in PATH.
+std::unique_ptr<Mesher> preset_mesher(const std::string& name, const std::string& program_path = "");
 /// All presets with their variants, commands and what they are for; with installed versions: a text for
 /// users.
 std::string list_presets();

@@ -107,6 +107,9 @@ class ToolMesher : public Mesher {
     run.wall_s = end.wall_s;
     run.peak_mb = end.peak_mb;
 
+    if (std::error_code error;
+        end.exit_code == tool_.judged_exit && std::filesystem::exists(run.mesh_file, error))
+      end.exit_code = 0;
     EndClass found = classify_end(end);
     if (found.wants_backtrace) add_backtrace(command, options, found);
     run.failure = found.failure;
@@ -123,7 +126,8 @@ class ToolMesher : public Mesher {
     std::string text;
     for (const std::string& word : tool_.words) {
       const bool plain = !word.empty() && word.find_first_of(" \t\"'\\$*?;&|<>()`#~") == std::string::npos;
-      text += (text.empty() ? "" : " ") + (plain ? word : "'" + replaced(word, {{"'", "'\\''"}}) + "'");
+      if (!text.empty()) text += ' ';
+      text += plain ? word : fmt::format("'{}'", replaced(word, {{"'", "'\\''"}}));
     }
     return text;
   }

@@ -22,7 +22,8 @@ struct Tool {
   bool may_change_boundary = false;
   double fidelity = 0;
   int repeats = 1;
-  int digits = -1;  ///< as in `MesherRun`; -1: as the file shows
+  int digits = -1;      ///< as in `MesherRun`; -1: as the file shows
+  int judged_exit = 0;  ///< an exit code that is a success, too, if there is a mesh
   std::vector<std::string> environment{};
   std::string version{};
 };
