@@ -74,7 +74,8 @@ std::vector<ChosenMesher> choose_meshers(const MesherArguments& a) {
     throw InputError("--surface-format, --mesh-ending and --name are for a COMMAND: a preset has its own");
   for (const std::string& preset : a.presets)
     for (const std::string& name : names_of(preset)) {
-      ChosenMesher chosen{preset_mesher(name), {"--mesher", name}};
+      ChosenMesher chosen{preset_mesher(name, a.program), {"--mesher", name}};
+      if (!a.program.empty()) chosen.words.insert(chosen.words.end(), {"--program", a.program});
       all.push_back(std::move(chosen));
     }
   return all;
