@@ -15,11 +15,10 @@ std::string differs(const char* what, std::int64_t is, std::int64_t promised) {
 // Which promise the surface breaks; empty: none.
 std::string broken_promise(const FuzzSurface& made, const verify::SurfaceReport& report) {
   if (!report.fault.empty()) return report.fault;
-  const std::int64_t cavities = report.cavities();
-  const auto shells = static_cast<std::int64_t>(report.components.size());
   std::string broken;
-  if (made.cavities) broken = differs("cavities", cavities, *made.cavities);
-  if (broken.empty() && made.components) broken = differs("components", shells - cavities, *made.components);
+  if (made.cavities) broken = differs("cavities", report.cavities(), *made.cavities);
+  if (broken.empty() && made.components)
+    broken = differs("components", static_cast<std::int64_t>(report.components.size()), *made.components);
   if (broken.empty() && made.genus) broken = differs("handles", report.genus, *made.genus);
   return broken;
 }
