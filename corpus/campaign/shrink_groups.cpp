@@ -157,7 +157,8 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
                           .repeats = counted.repeats,
                           .failed = counted.failed,
                           .cases = static_cast<std::int64_t>(group.cases.size()),
-                          .cases_run = cases_run});
+                          .cases_run = cases_run,
+                          .run_folder = counted.folder->path()});
   }
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return record;

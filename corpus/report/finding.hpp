@@ -23,12 +23,22 @@ struct FindingFacts {
   Judgement judgement;                    ///< of `run`
   int repeats = 1, failed = 1;            ///< of the shrunk surface: "3 of 20"
   std::int64_t cases = 1, cases_run = 1;  ///< how many of all cases fall into this group
+  /// The folder in which `run` was made, whose files called "surface" (in the mesher's own format, with what
+  /// else it got) are copied. Empty: the folder of `run.mesh_file`; if there is none, the surface is written
+  /// anew.
+  std::string run_folder{};
+  /// The exact command, with the names that the files have in the finding; empty: the mesher's command with
+  /// {surface}, {mesh} and {box} filled in.
+  std::string command{};
+  std::string since{};  ///< the first version that does it, if known
 };
 
 /// Writes the folder `folder` (which does not exist yet, and appears complete or not at all): README.md (ten
 /// lines: what is wrong, an exact statement that can be checked without this project, the command, how
 /// often), the shrunk surface in the mesher's own format and as .off, the original, what the mesher wrote and
-/// printed, its version, report.json, and picture.svg.
+/// printed, its version, report.json, and picture.svg; and finding.json, with the statements that
+/// corpus/findings/check.py proves or refutes. Without times: the same facts give the same bytes. InputError
+/// if the folder exists or cannot be written.
 void write_finding(const std::string& folder, const FindingFacts& facts);
 
 }  // namespace tetproof::corpus

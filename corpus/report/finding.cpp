@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corpus/report/finding.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "corpus/report/picture.hpp"
+#include "corpus/report/statements.hpp"
+#include "io/bytes/atomic_file.hpp"
+#include "io/bytes/words.hpp"
+#include "io/error.hpp"
+#include "io/mesh_files.hpp"
+#include "io/surface_files.hpp"
+#include "verify/verify.hpp"
+
+namespace tetproof::corpus {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// A folder that is filled beside its place. Without `commit` nothing of it stays.
+class AtomicFolder {
+ public:
+  explicit AtomicFolder(const std::string& folder) : place_(fs::path(folder).lexically_normal()) {
+    if (!place_.has_filename()) place_ = place_.parent_path();
+    if (fs::exists(fs::symlink_status(place_)))
+      throw InputError(fmt::format("{}: cannot write the finding: it exists already", place_.string()));
+    std::string name =
+        (place_.parent_path() / fmt::format(".{}.XXXXXX", place_.filename().string())).string();
+    if (!mkdtemp(name.data())) fail(std::strerror(errno));
+    beside_ = name;
+    fs::permissions(beside_, fs::perms(0755));
+  }
+  ~AtomicFolder() {
+    std::error_code ignored;
+    if (!beside_.empty()) fs::remove_all(beside_, ignored);
+  }
+  AtomicFolder(const AtomicFolder&) = delete;
+  AtomicFolder& operator=(const AtomicFolder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return beside_ / name; }
+  void write(const std::string& name, std::string_view text) const {
+    AtomicFile file((beside_ / name).string());
+    file.write(text);
+    file.commit();
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(beside_))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  void commit() {
+    std::error_code error;
+    fs::rename(beside_, place_, error);
+    if (error) fail(error.message());
+    beside_.clear();
+  }
+  [[noreturn]] void fail(const std::string& why) const {
+    throw InputError(fmt::format("{}: cannot write the finding: {}", place_.string(), why));
+  }
+
+ private:
+  fs::path place_, beside_;
+};
+
+bool starts_with_stem(const fs::path& file, const std::string& stem) {
+  return file.filename().string().starts_with(stem + ".");
+}
+
+// The name without its last ending: of "surface.1.ele" "surface.1".
+std::string stem_of(const std::string& path) {
+  return fs::path(path).stem().string();
+}
+
+// Writes the surface in the mesher's own format. The name of the file; empty: the mesher takes no file.
+std::string give_surface(const AtomicFolder& to, const FindingFacts& facts, const TriangleSurface& surface,
+                         const fs::path& run_folder) {
+  const std::string ending = facts.mesher->surface_ending();
+  if (ending.empty()) return "";
+  const std::string name = "surface" + ending;
+  const std::string mesh_stem = stem_of(facts.run.mesh_file);
+  if (!run_folder.empty())
+    for (const auto& entry : fs::directory_iterator(run_folder))
+      if (entry.is_regular_file() && starts_with_stem(entry.path(), "surface") &&
+          (facts.run.mesh_file.empty() || mesh_stem == "surface" ||
+           !starts_with_stem(entry.path(), mesh_stem)) &&
+          entry.path().filename() != fs::path(facts.run.mesh_file).filename())
+        fs::copy_file(entry.path(), to / entry.path().filename().string());
+  if (fs::exists(to / name)) return name;
+  const auto known = known_endings();
+  if (is_surface_file(name))
+    write_surface((to / name).string(), surface);
+  else if (std::find(known.begin(), known.end(), ending) != known.end())
+    write_document((to / name).string(), document_of(surface));
+  else
+    return "surface.off";  // a format that only the mesher's preset knows
+  return name;
+}
+
+// A mesh file in the finding, and the numbers by which statements name its points and tetrahedra.
+struct GivenMesh {
+  std::string file{};     ///< what the mesher wrote; empty: nothing
+  std::string checked{};  ///< what statements are about: the same, or a copy in a format that check.py reads
+  Numbering numbering{};
+};
+
+bool can_check(const MesherRun& run, const std::string& ending) {
+  const std::string format = run.document ? run.document->format : "";
+  const bool other_msh = ending == ".msh" && !format.empty() && format != "msh22" && format != "msh41";
+  return !other_msh && (ending == ".ele" || ending == ".node" || ending == ".msh" || ending == ".mesh");
+}
+
+GivenMesh give_mesh(const AtomicFolder& to, const MesherRun& run) {
+  GivenMesh given{.numbering = run.numbering};
+  if (!run.mesh_file.empty() && fs::is_regular_file(run.mesh_file)) {
+    const fs::path file = run.mesh_file;
+    const std::string ending = file.extension().string(), stem = stem_of(run.mesh_file);
+    given.file = "mesh" + ending;
+    fs::copy_file(file, to / given.file);
+    if (ending == ".ele" || ending == ".node")  // the two make one mesh
+      for (const char* other : {".ele", ".node"})
+        if (const fs::path beside = file.parent_path() / (stem + other);
+            other != ending && fs::exists(beside))
+          fs::copy_file(beside, to / ("mesh" + std::string(other)));
+    if (can_check(run, ending)) given.checked = given.file;
+  }
+  if (given.checked.empty() && !run.failure && !run.mesh.tets.empty()) {
+    given.checked = given.file.empty() ? "mesh.msh" : "mesh-converted.msh";
+    write_document((to / given.checked).string(), document_of(run.mesh), {.format = "msh22"});
+    given.numbering = Numbering{.first = 1};
+  }
+  return given;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+std::string diagonal_of(const TriangleSurface& surface) {
+  Eigen::Vector3d low = surface.vertices.at(0), high = low;
+  for (const Eigen::Vector3d& p : surface.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return fmt::format("{}", (high - low).stableNorm());
+}
+
+const char* headline_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::crashed:
+      return "a crash on a valid surface";
+    case Outcome::refused_valid:
+      return "a valid surface is called invalid";
+    case Outcome::refused:
+      return "a valid surface is refused";
+    case Outcome::no_output:
+      return "success without a mesh";
+    case Outcome::no_tetrahedra:
+      return "success without a tetrahedron";
+    case Outcome::unreadable:
+      return "success with a file that breaks its format";
+    case Outcome::slow:
+      return "a run that does not end in time";
+    case Outcome::out_of_memory:
+      return "a run that needs more memory than it may";
+    default:
+      return "a mesh that is not right";
+  }
+}
+
+// The check whose finding is stated: the one that the signature names, or the first that failed.
+std::optional<verify::Check> root_of(const Judgement& judgement) {
+  if (!judgement.report) return std::nullopt;
+  for (const verify::CheckResult& result : judgement.report->checks)
+    if (judgement.signature == verify::info(result.check).id && !result.findings.empty()) return result.check;
+  for (const verify::CheckResult& result : judgement.report->checks)
+    if (result.verdict == verify::Verdict::fail && !result.findings.empty()) return result.check;
+  return std::nullopt;
+}
+
+// What can be said about the outcome: by the judge's report, or by what the mesher did.
+Statements statements_for(const FindingFacts& facts, const TriangleSurface& surface, const GivenMesh& mesh) {
+  const Outcome outcome = facts.judgement.outcome;
+  Statements statements{.headline = headline_of(outcome)};
+  const bool of_mesh = outcome == Outcome::wrong || outcome == Outcome::wrong_against_surface;
+  if (const auto root = root_of(facts.judgement); root && of_mesh)
+    statements = statements_of({facts.run.mesh, mesh.numbering, surface, *facts.judgement.report}, *root);
+  if (outcome == Outcome::no_tetrahedra && !mesh.checked.empty())
+    statements.list.push_back(
+        {{"kind", "tet_count"}, {"text", fmt::format("{} holds no tetrahedron", mesh.file)}, {"count", 0}});
+  if (!of_mesh && outcome != Outcome::no_tetrahedra) {
+    const std::string& said = facts.run.message.empty() ? facts.judgement.signature : facts.run.message;
+    statements.list.push_back({{"kind", "run"},
+                               {"text", fmt::format("the command ends so ({}): {}", name_of(outcome), said)},
+                               {"why", "only a run of the mesher shows it"}});
+  }
+  statements.list.push_back(surface_statement(surface));
+  return statements;
+}
+
+std::string with_thousands(std::int64_t n) {
+  std::string text = fmt::format("{}", n);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+// In Markdown's code quotes, on one line, cut where it is long.
+std::string quoted(std::string text, std::size_t most = 300) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '`') c = c == '`' ? '\'' : ' ';
+  if (text.size() > most) {
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80)
+      --most;  // no half of a letter
+    text = text.substr(0, most) + " ...";
+  }
+  return fmt::format("`{}`", text);
+}
+
+std::string readme(const FindingFacts& facts, const Statements& statements, const GivenMesh& mesh,
+                   const std::string& command, const TriangleSurface& surface,
+                   const std::vector<std::string>& files) {
+  const Outcome outcome = facts.judgement.outcome;
+  std::string text = fmt::format("# {}: {}\n\n", facts.mesher->name(), statements.headline);
+  const std::string version = facts.mesher->version();
+  text += fmt::format("- **Mesher**: {}. Command, in this folder: {}\n",
+                      version.empty() ? facts.mesher->name() + ", of unknown version" : version,
+                      command.empty() ? "a C++ function" : quoted(command));
+  const std::string& what = facts.judgement.what.empty() ? facts.run.message : facts.judgement.what;
+  text += fmt::format("- **What is wrong**: {} ({}; group `{}`).{}\n", statements.headline, name_of(outcome),
+                      facts.judgement.signature, what.empty() ? "" : " " + quoted(what));
+  const std::string of = mesh.checked.empty() ? "" : fmt::format("In `{}`: ", mesh.checked);
+  const bool without_surface = statements.list.size() > 1;
+  std::string seen;
+  for (std::size_t i = 0; i + (without_surface ? 1 : 0) < statements.list.size(); ++i)
+    seen += fmt::format("{}{}", i == 0 ? "" : "; ", statements.list[i].at("text").get<std::string>());
+  text += fmt::format("- **To see it without us**: {}{}.\n",
+                      outcome == Outcome::wrong || outcome == Outcome::wrong_against_surface ? of : "", seen);
+  if (without_surface)
+    text += fmt::format("- **The surface**: {}.\n", statements.list.back().at("text").get<std::string>());
+  text +=
+      "- **Proof**: `python3 ../check.py .` (in `corpus/findings/`) computes this anew from the files, in "
+      "exact "
+      "fractions and by brute force, with Python's standard library and no code of the judge.\n";
+  std::string often = facts.repeats > 1
+                          ? fmt::format("{} of {} runs of this surface; ", facts.failed, facts.repeats)
+                          : std::string();
+  text += fmt::format("- **How often**: {}in {} of {} random surfaces.\n", often, with_thousands(facts.cases),
+                      with_thousands(facts.cases_run));
+  const std::string recipe = recipe_text(facts.original.recipe);
+  text += fmt::format(
+      "- **Found with**: `tetproof-fuzz --mesher {}`, case {} of seed {}: {}, {}. Shrunk to {}{}{}.\n",
+      facts.mesher->name(), facts.index, facts.seed, quoted(recipe),
+      io::counted(facts.original.surface.triangles.size(), "triangles"), surface.triangles.size(),
+      facts.shrunk_recipe.empty() ? "" : ", " + quoted(facts.shrunk_recipe),
+      facts.shrink_steps.empty() ? "" : " (" + facts.shrink_steps + ")");
+  if (!facts.since.empty()) text += fmt::format("- **Since**: {}\n", facts.since);
+  std::string list;
+  for (const std::string& file : files) list += fmt::format("{}`{}`", list.empty() ? "" : ", ", file);
+  text += fmt::format(
+      "- **Files**: {}.{}\n\n![The surface and the defect](picture.svg)\n", list,
+      mesh.checked.ends_with("converted.msh")
+          ? fmt::format(" `{}` is `{}` point for point, with numbers from 1.", mesh.checked, mesh.file)
+          : "");
+  return text;
+}
+
+void fill(const AtomicFolder& to, const FindingFacts& facts) {
+  TriangleSurface surface = facts.run.given ? *facts.run.given : facts.shrunk;
+  surface.parameters.clear();  // OFF would hold (u,v) as texture coordinates
+  surface.evaluate = nullptr;
+  TriangleSurface original{facts.original.surface.vertices, facts.original.surface.triangles, {}, {}};
+  write_surface((to / "surface.off").string(), surface);
+  write_surface((to / "original.off").string(), original);
+  fs::path run_folder = facts.run_folder;
+  if (run_folder.empty() && fs::is_regular_file(facts.run.mesh_file))
+    run_folder = fs::absolute(facts.run.mesh_file).parent_path();
+  const std::string surface_file = give_surface(to, facts, surface, run_folder);
+  const GivenMesh mesh = give_mesh(to, facts.run);
+  const std::string version = facts.mesher->version();
+  to.write("output.txt", facts.run.output);
+  to.write("version.txt", (version.empty() ? "unknown" : version) + "\n");
+  if (facts.judgement.report)
+    to.write("report.json", verify::report_json(*facts.judgement.report, facts.run.numbering));
+
+  const std::string mesh_name = mesh.file.empty() ? "mesh" : mesh.file;
+  std::string command = facts.command;
+  if (command.empty())
+    command =
+        replaced(replaced(replaced(facts.mesher->command(), "{surface}", surface_file), "{mesh}", mesh_name),
+                 "{box}", diagonal_of(surface));
+  const Statements statements = statements_for(facts, surface, mesh);
+  std::string title = fmt::format("{}: {}", facts.mesher->name(), statements.headline);
+  to.write("picture.svg",
+           picture(surface, facts.run.mesh, mesh.numbering, statements.marks,
+                   {.title = title, .below = statements.list.front().at("text").get<std::string>()}));
+  to.write("finding.json", json{{"format", "tetproof-finding 1"},
+                                {"mesher", facts.mesher->name()},
+                                {"version", version},
+                                {"command", command},
+                                {"outcome", name_of(facts.judgement.outcome)},
+                                {"signature", facts.judgement.signature},
+                                {"seed", facts.seed},
+                                {"case", facts.index},
+                                {"recipe", recipe_text(facts.original.recipe)},
+                                {"failed", facts.failed},
+                                {"repeats", facts.repeats},
+                                {"surface", "surface.off"},
+                                {"mesh", mesh.checked},
+                                {"statements", statements.list}}
+                                   .dump(1, ' ', false, json::error_handler_t::replace) +
+                               "\n");
+  std::vector<std::string> files = to.files();
+  files.insert(std::upper_bound(files.begin(), files.end(), "README.md"), "README.md");
+  to.write("README.md", readme(facts, statements, mesh, command, surface, files));
+}
+
+}  // namespace
+
+void write_finding(const std::string& folder, const FindingFacts& facts) {
+  AtomicFolder to(folder);
+  try {
+    fill(to, facts);
+  } catch (const fs::filesystem_error& error) {
+    to.fail(fmt::format("{}: {}", error.path1().filename().string(), error.code().message()));
+  }
+  to.commit();
+}
+
+}  // namespace tetproof::corpus
