@@ -82,11 +82,12 @@ struct CampaignOptions {
   std::string folder{};              ///< the journal and the findings; empty: nothing is kept
   std::vector<std::string> known{};  ///< ids of groups
   std::function<void(const CaseResult&)> progress{};  ///< called after each case, one at a time
-  std::function<void(std::uint64_t done)> started{};  ///< called first, with the results that are there already
+  std::function<void(std::uint64_t done)>
+      started{};  ///< called first, with the results that are there already
   /// Called with a line when a group is being shrunk.
   std::function<void(const std::string&)> say{};
   std::vector<std::vector<std::string>> words{};  ///< of each mesher, for `MesherFacts`; empty: none
-  std::string version{};             ///< of the program
+  std::string version{};                          ///< of the program
   /// Another source of surfaces than `fuzz_surface`: a pure function of the index.
   std::function<FuzzSurface(std::uint64_t index)> surface_of{};
 };
@@ -96,11 +97,11 @@ struct ShrunkCase {
   std::string group;  ///< its id
   std::uint64_t index = 0;
   std::string mesher;
-  std::int64_t triangles = 0;      ///< after shrinking
-  int repeats = 1, failed = 0;     ///< of the shrunk surface; failed 0: the failure did not occur again
-  std::string steps{}, recipe{};   ///< what was done; the shrunk recipe if the surface is still what it builds
-  std::string folder{};            ///< of the finding, inside the campaign's folder; empty: none
-  std::int64_t calls = 0;          ///< of the mesher, for shrinking
+  std::int64_t triangles = 0;     ///< after shrinking
+  int repeats = 1, failed = 0;    ///< of the shrunk surface; failed 0: the failure did not occur again
+  std::string steps{}, recipe{};  ///< what was done; the shrunk recipe if the surface is still what it builds
+  std::string folder{};           ///< of the finding, inside the campaign's folder; empty: none
+  std::int64_t calls = 0;         ///< of the mesher, for shrinking
   double seconds = 0;
 };
 
@@ -109,8 +110,8 @@ struct CampaignResult {
   std::vector<FailureGroup> groups;  ///< findings only, most serious outcome first
   std::int64_t surfaces = 0;
   CampaignSettings settings{};
-  std::vector<ShrunkCase> shrunk{};          ///< in the order of the groups
-  std::vector<std::string> known_unseen{};   ///< known ids that did not occur
+  std::vector<ShrunkCase> shrunk{};         ///< in the order of the groups
+  std::vector<std::string> known_unseen{};  ///< known ids that did not occur
   /// What is missing of merged shards, a line each: "shard 3 of 8 is missing", "shard 2 of 8 lacks 17 of 250
   /// cases". Empty: nothing.
   std::vector<std::string> missing{};

@@ -43,7 +43,8 @@ CampaignSettings settings_of(const std::vector<const Mesher*>& meshers, const Ca
 void check(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
   if (meshers.empty()) throw InputError("expected at least one mesher");
   if (o.shards == 0 || o.shard >= o.shards)
-    throw InputError(fmt::format("expected a shard below the number of shards, found {} of {}", o.shard, o.shards));
+    throw InputError(
+        fmt::format("expected a shard below the number of shards, found {} of {}", o.shard, o.shards));
   std::set<std::string> names;
   for (const Mesher* mesher : meshers)
     if (!names.insert(mesher->name()).second)
@@ -54,8 +55,8 @@ void check(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) 
 // Runs the cases that are not done yet, on several threads.
 class Campaign {
  public:
-  Campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options,
-           Journal* journal, const std::string& scratch)
+  Campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options, Journal* journal,
+           const std::string& scratch)
       : meshers_(meshers), options_(options), journal_(journal), scratch_(scratch) {
     if (journal_)
       for (const CaseResult& result : journal_->content().cases) {

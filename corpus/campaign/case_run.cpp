@@ -60,7 +60,8 @@ void add_up(CaseResult& result, const std::vector<Judgement>& judgements) {
   }
   const Kind* worst = nullptr;
   for (const auto& [key, kind] : kinds)
-    if (!worst || (kind.first->outcome == worst->first->outcome && kind.failed > worst->failed)) worst = &kind;
+    if (!worst || (kind.first->outcome == worst->first->outcome && kind.failed > worst->failed))
+      worst = &kind;
   result.outcome = worst->first->outcome;
   result.signature = worst->first->signature;
   result.what = worst->first->what;

@@ -28,16 +28,16 @@ std::string broken_promise(const FuzzSurface& made, const verify::SurfaceReport&
 CertifiedSurface::CertifiedSurface(const CampaignOptions& options, std::uint64_t index) {
   std::string fault;
   try {
-    made_ = std::make_unique<const FuzzSurface>(options.surface_of
-                                                    ? options.surface_of(index)
-                                                    : fuzz_surface(options.seed, index, options.surfaces));
+    made_ = std::make_unique<const FuzzSurface>(
+        options.surface_of ? options.surface_of(index) : fuzz_surface(options.seed, index, options.surfaces));
     judged_ = std::make_unique<const verify::JudgedSurface>(made_->surface);
     fault = broken_promise(*made_, judged_->report());
   } catch (const std::exception& error) {
     fault = error.what();
   }
   if (!fault.empty())
-    throw std::logic_error(fmt::format("the surface of seed {}, index {} is not valid: {}", options.seed, index, fault));
+    throw std::logic_error(
+        fmt::format("the surface of seed {}, index {} is not valid: {}", options.seed, index, fault));
 }
 
 std::string CertifiedSurface::recipe() const {

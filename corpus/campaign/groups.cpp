@@ -42,18 +42,12 @@ void sort_cases(FailureGroup& group) {
 }  // namespace
 
 int severity(Outcome outcome) {
-  static constexpr std::array order{Outcome::sound,
-                                    Outcome::not_compiled_in,
-                                    Outcome::refused,
-                                    Outcome::out_of_memory,
-                                    Outcome::slow,
-                                    Outcome::not_judged,
-                                    Outcome::refused_valid,
-                                    Outcome::no_output,
-                                    Outcome::no_tetrahedra,
-                                    Outcome::unreadable,
-                                    Outcome::crashed,
-                                    Outcome::wrong_against_surface,
+  static constexpr std::array order{Outcome::sound,         Outcome::not_compiled_in,
+                                    Outcome::refused,       Outcome::out_of_memory,
+                                    Outcome::slow,          Outcome::not_judged,
+                                    Outcome::refused_valid, Outcome::no_output,
+                                    Outcome::no_tetrahedra, Outcome::unreadable,
+                                    Outcome::crashed,       Outcome::wrong_against_surface,
                                     Outcome::wrong};
   static_assert(order.size() == outcome_count);
   return static_cast<int>(std::find(order.begin(), order.end(), outcome) - order.begin());

@@ -62,7 +62,7 @@ class Journal {
   JournalContent content_;
   std::mutex mutex_;
   std::condition_variable written_;
-  std::string waiting_;                             // lines that nobody writes yet
+  std::string waiting_;                               // lines that nobody writes yet
   std::uint64_t lines_waiting_ = 0, lines_done_ = 0;  // counted from the start
   bool writing_ = false;
   std::exception_ptr failure_;

@@ -37,8 +37,8 @@ std::vector<std::string> read_known_groups(const std::string& path) {
     if (begin == std::string::npos || line[begin] == '#') continue;
     line = line.substr(begin, line.find_last_not_of(blank) + 1 - begin);
     if (!is_id(line))
-      throw InputError(fmt::format("{}:{}: expected the id of a group, MESHER:OUTCOME:SIGNATURE, found '{}'", path,
-                                   number, line));
+      throw InputError(fmt::format("{}:{}: expected the id of a group, MESHER:OUTCOME:SIGNATURE, found '{}'",
+                                   path, number, line));
     ids.push_back(line);
   }
   if (file.bad()) throw InputError(fmt::format("{}: cannot read: {}", path, std::strerror(errno)));

@@ -53,11 +53,11 @@ CampaignResult merge_campaign(const std::vector<std::string>& folders,
       if (first) {
         const std::string different = differences(shard.content.settings, first->content.settings, false);
         if (!different.empty())
-          throw InputError(fmt::format("{}: is of another campaign than {}: {}", path, first->path, different));
+          throw InputError(
+              fmt::format("{}: is of another campaign than {}: {}", path, first->path, different));
       }
       const auto [place, added] = shards.emplace(number, std::move(shard));
-      if (!added)
-        throw InputError(fmt::format("{}: has the same shard as {}", path, place->second.path));
+      if (!added) throw InputError(fmt::format("{}: has the same shard as {}", path, place->second.path));
       if (!first) first = &place->second;
     }
   if (!first) throw InputError(fmt::format("{}: the journal is empty", folders.front()));

@@ -23,9 +23,9 @@ Json tally_json(const std::vector<TallyRow>& rows) {
 }
 
 Json case_json(const CaseResult& r) {
-  return {{"case", r.index},         {"mesher", r.mesher},   {"outcome", name_of(r.outcome)},
+  return {{"case", r.index},          {"mesher", r.mesher},   {"outcome", name_of(r.outcome)},
           {"signature", r.signature}, {"what", r.what},       {"triangles", r.triangles},
-          {"recipe", r.recipe},      {"repeats", r.repeats}, {"failed", r.failed}};
+          {"recipe", r.recipe},       {"repeats", r.repeats}, {"failed", r.failed}};
 }
 
 Json group_json(const CampaignResult& result, const FailureGroup& group) {
@@ -67,7 +67,8 @@ std::string campaign_json(const CampaignResult& result) {
   json["missing"] = result.missing;
   json["not_sound"] = Json::array();  // and no finding: each by its name
   for (const CaseResult& one : result.cases)
-    if (one.outcome != Outcome::sound && !is_finding(one.outcome)) json["not_sound"].push_back(case_json(one));
+    if (one.outcome != Outcome::sound && !is_finding(one.outcome))
+      json["not_sound"].push_back(case_json(one));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

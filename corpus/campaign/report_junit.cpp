@@ -35,10 +35,10 @@ void add_skipped(Suite& suite, const std::string& mesher, const std::string& nam
 
 std::string failure(const CampaignResult& result, const FailureGroup& group) {
   const CaseResult& first = group.cases.front();
-  std::string text = fmt::format("smallest: case {} of {}, {}, {} of {} runs\n{}\n{}\n", first.index,
-                                 first.mesher, io::counted(first.triangles, "triangles"), first.failed,
-                                 first.repeats, first.recipe,
-                                 replay_command(result.settings, first.index, first.mesher));
+  std::string text =
+      fmt::format("smallest: case {} of {}, {}, {} of {} runs\n{}\n{}\n", first.index, first.mesher,
+                  io::counted(first.triangles, "triangles"), first.failed, first.repeats, first.recipe,
+                  replay_command(result.settings, first.index, first.mesher));
   return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", name_of(group.outcome),
                      xml_escaped(first.what), xml_escaped(text, io::XmlLines::keep));
 }
@@ -92,9 +92,10 @@ std::string campaign_junit(const CampaignResult& result) {
     for (const std::string& line : result.missing) add_skipped(missing, "shards", line, "not run");
     append("shards", missing);
   }
-  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"tetproof-fuzz\" {}>\n{}"
-                     "</testsuites>\n",
-                     counts(all), suites);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"tetproof-fuzz\" {}>\n{}"
+      "</testsuites>\n",
+      counts(all), suites);
 }
 
 }  // namespace tetproof::corpus

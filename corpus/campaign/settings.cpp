@@ -18,7 +18,8 @@ std::string shown(const Json& value) {
 }
 
 // Collects the leaves in which two objects differ, with the path of their keys.
-void compare(const Json& there, const Json& wanted, const std::string& path, std::vector<std::string>& found) {
+void compare(const Json& there, const Json& wanted, const std::string& path,
+             std::vector<std::string>& found) {
   if (there == wanted) return;
   if (there.is_object() && wanted.is_object()) {
     for (const auto& [key, value] : wanted.items()) {
@@ -41,8 +42,8 @@ void compare_meshers(const CampaignSettings& there, const CampaignSettings& want
     return all;
   };
   if (names(there) != names(wanted)) {
-    found.push_back(fmt::format("meshers: {}, not {}", fmt::join(names(there), " "),
-                                fmt::join(names(wanted), " ")));
+    found.push_back(
+        fmt::format("meshers: {}, not {}", fmt::join(names(there), " "), fmt::join(names(wanted), " ")));
     return;
   }
   const Json a = settings_json(there).at("meshers"), b = settings_json(wanted).at("meshers");
@@ -64,8 +65,7 @@ Json settings_json(const CampaignSettings& s) {
                       {"extreme_sizes", s.surfaces.extreme_sizes}};
   json["limits"] = {
       {"cpu_s", s.limits.cpu_s}, {"wall_s", s.limits.wall_s}, {"memory_mb", s.limits.memory_mb}};
-  json["judge"] = {
-      {"tolerance", s.judge.tolerance}, {"seconds", s.judge.seconds}, {"check", s.judge.check}};
+  json["judge"] = {{"tolerance", s.judge.tolerance}, {"seconds", s.judge.seconds}, {"check", s.judge.check}};
   json["repeats"] = s.repeats;
   json["meshers"] = Json::array();
   for (const MesherFacts& mesher : s.meshers)
@@ -120,8 +120,7 @@ std::string differences(const CampaignSettings& there, const CampaignSettings& w
 }
 
 std::string shell_word(const std::string& word) {
-  const char* const plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%{}";
+  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%{}";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string quoted = "'";
   for (const char c : word) {
@@ -138,7 +137,8 @@ std::string replay_command(const CampaignSettings& s, std::uint64_t index, const
   const CampaignSettings usual;
   std::string line = fmt::format("tetproof-fuzz --replay {}:{}", s.seed, index);
   const auto list = [&](const char* option, const std::vector<std::string>& words) {
-    if (!words.empty()) line += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(words, ","))));
+    if (!words.empty())
+      line += fmt::format(" {} {}", option, shell_word(fmt::format("{}", fmt::join(words, ","))));
   };
   list("--kinds", s.surfaces.kinds);
   list("--modifiers", s.surfaces.modifiers);

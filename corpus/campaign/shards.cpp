@@ -47,8 +47,8 @@ class Variables {
     if (!index && !total) return std::nullopt;
     if (!index) throw InputError("GTEST_TOTAL_SHARDS is set, but GTEST_SHARD_INDEX is not");
     if (!total) throw InputError("GTEST_SHARD_INDEX is set, but GTEST_TOTAL_SHARDS is not");
-    return checked({number("GTEST_SHARD_INDEX", *index), number("GTEST_TOTAL_SHARDS", *total),
-                    "GTEST_SHARD_INDEX"});
+    return checked(
+        {number("GTEST_SHARD_INDEX", *index), number("GTEST_TOTAL_SHARDS", *total), "GTEST_SHARD_INDEX"});
   }
 
   std::optional<Shard> slurm() const {
@@ -63,10 +63,10 @@ class Variables {
     const std::uint64_t task = number("SLURM_ARRAY_TASK_ID", *id), least = value("SLURM_ARRAY_TASK_MIN", 0);
     const std::uint64_t step = value("SLURM_ARRAY_TASK_STEP", 1);
     if (task < least || step == 0 || (task - least) % step != 0)
-      throw InputError(fmt::format(
-          "SLURM_ARRAY_TASK_ID: expected {} and every {} above it, found {}; give --shard", least, step, task));
-    return checked(
-        {(task - least) / step, number("SLURM_ARRAY_TASK_COUNT", *count), "SLURM_ARRAY_TASK_ID"});
+      throw InputError(
+          fmt::format("SLURM_ARRAY_TASK_ID: expected {} and every {} above it, found {}; give --shard", least,
+                      step, task));
+    return checked({(task - least) / step, number("SLURM_ARRAY_TASK_COUNT", *count), "SLURM_ARRAY_TASK_ID"});
   }
 
   std::optional<Shard> kubernetes() const {
@@ -74,7 +74,8 @@ class Variables {
     if (!index) return std::nullopt;
     const auto total = environment_("JOB_COMPLETIONS");
     if (!total && shards_.empty())
-      throw InputError("JOB_COMPLETION_INDEX is set: give the number of shards by --shards or JOB_COMPLETIONS");
+      throw InputError(
+          "JOB_COMPLETION_INDEX is set: give the number of shards by --shards or JOB_COMPLETIONS");
     return checked({number("JOB_COMPLETION_INDEX", *index),
                     total ? number("JOB_COMPLETIONS", *total) : number("--shards", shards_),
                     "JOB_COMPLETION_INDEX"});
@@ -98,7 +99,8 @@ Shard find_shard(const std::string& shard, const std::string& shards, const Envi
     found = shard_of_option(shard);
   } else {
     const Variables variables(environment, shards);
-    for (const std::optional<Shard>& one : {variables.googletest(), variables.slurm(), variables.kubernetes()}) {
+    for (const std::optional<Shard>& one :
+         {variables.googletest(), variables.slurm(), variables.kubernetes()}) {
       if (!one) continue;
       if (found && !(*found == *one))
         throw InputError(fmt::format("{} says shard {} of {}, and {} shard {} of {}: give --shard",
@@ -110,7 +112,8 @@ Shard find_shard(const std::string& shard, const std::string& shards, const Envi
   if (shards.empty()) return found.value_or(Shard{});
   const std::uint64_t wanted = number("--shards", shards);
   if (!found && wanted == 1) return {};
-  if (!found) throw InputError(fmt::format("--shards {}: which one is this? Give --shard I/{}", shards, shards));
+  if (!found)
+    throw InputError(fmt::format("--shards {}: which one is this? Give --shard I/{}", shards, shards));
   if (found->shards != wanted)
     throw InputError(
         fmt::format("--shards {}: {} says that there are {}", shards, found->source, found->shards));

@@ -22,9 +22,9 @@ std::optional<std::string> process_environment(const char* name);
 /// `shard` is the value of --shard, "I/N" with I from 0; `shards` that of --shards; both may be empty.
 ///
 /// --shard comes first. Without it the environment decides: GTEST_SHARD_INDEX with GTEST_TOTAL_SHARDS;
-/// SLURM_ARRAY_TASK_ID with SLURM_ARRAY_TASK_COUNT (and _MIN and _STEP); JOB_COMPLETION_INDEX with --shards or
-/// JOB_COMPLETIONS. Where several of them are set, they must say the same, and the number of shards must be
-/// that of --shards. InputError if they do not, if a number is missing, or if a value is none.
+/// SLURM_ARRAY_TASK_ID with SLURM_ARRAY_TASK_COUNT (and _MIN and _STEP); JOB_COMPLETION_INDEX with --shards
+/// or JOB_COMPLETIONS. Where several of them are set, they must say the same, and the number of shards must
+/// be that of --shards. InputError if they do not, if a number is missing, or if a value is none.
 Shard find_shard(const std::string& shard, const std::string& shards, const Environment& environment);
 
 }  // namespace tetproof::corpus

@@ -59,7 +59,8 @@ class Reproduction {
     // At least as many as it takes to see it: "0 of 1" would say little of one that fails now and then.
     for (const int runs = std::max(runs_, repeats_of(mesher_, options_.repeats)); counted.repeats < runs;
          ++counted.repeats) {
-      auto folder = std::make_unique<ScratchFolder>(fmt::format("{}/shrink-{}", scratch_, calls_.fetch_add(1)));
+      auto folder =
+          std::make_unique<ScratchFolder>(fmt::format("{}/shrink-{}", scratch_, calls_.fetch_add(1)));
       JudgedRun one = run_and_judge(mesher_, judged, folder->path(), options_.limits, options_.judge);
       if (!is_it(one.judgement)) continue;
       if (++counted.failed > 1) continue;
@@ -102,10 +103,9 @@ Smaller shrink(const FuzzSurface& original, Reproduction& reproduction, const Ca
     }
   }
   const double used = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  ShrinkResult result = shrink_surface(smaller.surface, fails,
-                                       {.seconds = std::max(0.0, options.shrink_s - used),
-                                        .threads = options.threads,
-                                        .seed = options.seed});
+  ShrinkResult result = shrink_surface(
+      smaller.surface, fails,
+      {.seconds = std::max(0.0, options.shrink_s - used), .threads = options.threads, .seed = options.seed});
   const bool changed = result.surface.vertices != smaller.surface.vertices ||
                        result.surface.triangles != smaller.surface.triangles;
   if (changed && result.confirmed) {

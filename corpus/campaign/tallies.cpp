@@ -89,7 +89,8 @@ std::string summary_line(const CampaignResult& result) {
   for (const Outcome outcome : outcomes_in_order())
     if (outcome != Outcome::sound && !is_finding(outcome) && all.count(outcome) > 0)
       line += fmt::format(", {} {}", all.count(outcome), name_of(outcome));
-  if (all.unjudged() > 0) line += fmt::format("; nothing is said of {}", io::counted(all.unjudged(), "cases"));
+  if (all.unjudged() > 0)
+    line += fmt::format("; nothing is said of {}", io::counted(all.unjudged(), "cases"));
   if (!result.missing.empty()) line += "; not all cases were run";
   return line;
 }

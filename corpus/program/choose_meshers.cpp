@@ -23,10 +23,11 @@ std::string ending_of_format(const std::string& name) {
 ChosenMesher command(const MesherArguments& a) {
   for (const char* part : {"{surface}", "{mesh}"})
     if (!has(a.command, part))
-      throw InputError(fmt::format("COMMAND: expected {} among its words, found '{}'", part,
-                                   fmt::join(a.command, " ")));
+      throw InputError(
+          fmt::format("COMMAND: expected {} among its words, found '{}'", part, fmt::join(a.command, " ")));
   if (!a.mesh_ending.starts_with('.'))
-    throw InputError(fmt::format("--mesh-ending: expected a dot first, as in .msh, found '{}'", a.mesh_ending));
+    throw InputError(
+        fmt::format("--mesh-ending: expected a dot first, as in .msh, found '{}'", a.mesh_ending));
   if (!a.program.empty()) throw InputError("--program is for presets: COMMAND names its own program");
   ChosenMesher chosen;
   chosen.mesher = command_mesher({.words = a.command,
@@ -36,7 +37,8 @@ ChosenMesher command(const MesherArguments& a) {
   const MesherArguments usual;
   if (a.surface_format != usual.surface_format)
     chosen.words.insert(chosen.words.end(), {"--surface-format", a.surface_format});
-  if (a.mesh_ending != usual.mesh_ending) chosen.words.insert(chosen.words.end(), {"--mesh-ending", a.mesh_ending});
+  if (a.mesh_ending != usual.mesh_ending)
+    chosen.words.insert(chosen.words.end(), {"--mesh-ending", a.mesh_ending});
   if (!a.name.empty()) chosen.words.insert(chosen.words.end(), {"--name", a.name});
   chosen.words.push_back("--");
   chosen.words.insert(chosen.words.end(), a.command.begin(), a.command.end());
@@ -63,7 +65,8 @@ std::vector<ChosenMesher> choose_meshers(const MesherArguments& a) {
   if (!a.command.empty() && !a.presets.empty())
     throw InputError("expected either --mesher or a COMMAND, found both");
   if (a.command.empty() && a.presets.empty())
-    throw InputError("expected --mesher NAME, or -- COMMAND with {surface} and {mesh} (see tetproof-fuzz --help)");
+    throw InputError(
+        "expected --mesher NAME, or -- COMMAND with {surface} and {mesh} (see tetproof-fuzz --help)");
   std::vector<ChosenMesher> all;
   if (!a.command.empty()) {
     all.push_back(command(a));
@@ -88,7 +91,8 @@ std::vector<ChosenMesher> choose_meshers(const std::vector<std::string>& words) 
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
   } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("the journal's words for the mesher, '{}': {}", fmt::join(words, " "), error.what()));
+    throw InputError(
+        fmt::format("the journal's words for the mesher, '{}': {}", fmt::join(words, " "), error.what()));
   }
   return choose_meshers(arguments);
 }

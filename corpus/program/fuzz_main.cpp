@@ -77,13 +77,13 @@ CampaignResult run(const FuzzArguments& a, const program::Common& common) {
   options.shard = shard.shard;
   options.shards = shard.shards;
   if (shard.shards > 1 && a.out.empty())
-    throw InputError(fmt::format("{}: a shard needs --out DIR, or its results cannot be merged", shard.source));
+    throw InputError(
+        fmt::format("{}: a shard needs --out DIR, or its results cannot be merged", shard.source));
   if (shard.shards > 1)
     program::say(common, fmt::format("shard {} of {}, from {}", shard.shard, shard.shards, shard.source));
   if (!a.known.empty()) options.known = read_known_groups(a.known);
 
-  const std::uint64_t surfaces =
-      a.cases > shard.shard ? (a.cases - shard.shard - 1) / shard.shards + 1 : 0;
+  const std::uint64_t surfaces = a.cases > shard.shard ? (a.cases - shard.shard - 1) / shard.shards + 1 : 0;
   StatusLine status(common, surfaces * meshers.size());
   options.started = [&](std::uint64_t done) {
     status.skip(done);
@@ -119,7 +119,8 @@ int work(const FuzzArguments& a, const program::Common& common) {
   if (a.merge.empty())
     result = run(a, common);
   else
-    result = merge_campaign(a.merge, a.known.empty() ? std::vector<std::string>{} : read_known_groups(a.known));
+    result =
+        merge_campaign(a.merge, a.known.empty() ? std::vector<std::string>{} : read_known_groups(a.known));
   for (const std::string& line : result.missing) program::say(common, line);
   report(result, a, common, files);
   return exit_code(result);

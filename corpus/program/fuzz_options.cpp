@@ -24,7 +24,8 @@ void declare_campaign(CLI::App& app, FuzzArguments& a) {
       ->check(CLI::Range(4, std::numeric_limits<int>::max()));
   app.add_flag("--extreme-sizes", a.surfaces.extreme_sizes,
                "also sizes of 1e-60 and 1e60, which hardly any mesher supports");
-  app.add_flag("--list-kinds", a.list_kinds, "print the kinds of surfaces and modifiers with their parameters");
+  app.add_flag("--list-kinds", a.list_kinds,
+               "print the kinds of surfaces and modifiers with their parameters");
 }
 
 void declare_runs(CLI::App& app, FuzzArguments& a) {
@@ -34,7 +35,8 @@ void declare_runs(CLI::App& app, FuzzArguments& a) {
   app.add_option("--wall", a.limits.wall_s, "wall time allowed to a run [s]")
       ->type_name("S")
       ->check(CLI::Range(0.01, 1e6));
-  app.add_option("--memory", a.limits.memory_mb, "memory allowed to a run, with all its processes [10^6 bytes]")
+  app.add_option("--memory", a.limits.memory_mb,
+                 "memory allowed to a run, with all its processes [10^6 bytes]")
       ->type_name("MB")
       ->check(CLI::Range(std::int64_t{10}, std::int64_t{1} << 30));
   app.add_option("--repeat", a.repeats,
@@ -70,7 +72,8 @@ void declare_results(CLI::App& app, FuzzArguments& a) {
                  "JOB_COMPLETION_INDEX and JOB_COMPLETIONS or --shards, if they are set")
       ->type_name("I/N")
       ->always_capture_default(false);
-  app.add_option("--shards", a.shards, "the number of shards, where the environment says only which one this is")
+  app.add_option("--shards", a.shards,
+                 "the number of shards, where the environment says only which one this is")
       ->type_name("N")
       ->always_capture_default(false);
   app.add_option("--merge", a.merge,
@@ -88,9 +91,10 @@ void declare_results(CLI::App& app, FuzzArguments& a) {
 }  // namespace
 
 void declare_mesher_options(CLI::App& app, MesherArguments& a) {
-  app.add_option("COMMAND", a.command,
-                 "after --: the mesher to run, with {surface} and {mesh} in place of its files; {size} and {box} "
-                 "are a length that suits the surface, and its diagonal")
+  app.add_option(
+         "COMMAND", a.command,
+         "after --: the mesher to run, with {surface} and {mesh} in place of its files; {size} and {box} "
+         "are a length that suits the surface, and its diagonal")
       ->always_capture_default(false);
   app.add_option("--mesher", a.presets,
                  "a preset in place of COMMAND, with the variants that are named, or all; may be repeated")
@@ -100,7 +104,8 @@ void declare_mesher_options(CLI::App& app, MesherArguments& a) {
   app.add_option("--program", a.program, "where the preset's program is")
       ->type_name("PATH")
       ->always_capture_default(false);
-  app.add_option("--surface-format", a.surface_format, "the format that COMMAND reads: off, stl, smesh, poly, obj, ply, ...")
+  app.add_option("--surface-format", a.surface_format,
+                 "the format that COMMAND reads: off, stl, smesh, poly, obj, ply, ...")
       ->type_name("FORMAT");
   app.add_option("--mesh-ending", a.mesh_ending, "the ending of the file that COMMAND writes, as in .1.ele")
       ->type_name("ENDING");

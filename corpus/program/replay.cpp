@@ -30,8 +30,8 @@ verify::JudgedSurface judged_file(const TriangleSurface& surface, const std::str
 
 std::string run_text(const Mesher& mesher, const JudgedRun& one, int number, int repeats) {
   const Judgement& j = one.judgement;
-  std::string text = fmt::format("{}{}: {}", mesher.name(), repeats > 1 ? fmt::format(", run {}", number) : "",
-                                 name_of(j.outcome));
+  std::string text = fmt::format("{}{}: {}", mesher.name(),
+                                 repeats > 1 ? fmt::format(", run {}", number) : "", name_of(j.outcome));
   if (!j.signature.empty()) text += ": " + j.signature;
   text += "\n";
   if (!j.what.empty() && j.what != j.signature) text += "  " + j.what + "\n";
@@ -56,7 +56,8 @@ class Replay {
     for (int r = 0; r < repeats; ++r) {
       const std::string folder = fmt::format("{}/{}-{}", scratch_, number_++, r);
       std::filesystem::create_directories(folder);
-      const JudgedRun one = run_and_judge(mesher, surface_, folder, found_.options.limits, found_.options.judge);
+      const JudgedRun one =
+          run_and_judge(mesher, surface_, folder, found_.options.limits, found_.options.judge);
       finding_ = finding_ || is_finding(one.judgement.outcome);
       unjudged_ = unjudged_ || is_unjudged(one.judgement.outcome);
       text += run_text(mesher, one, r + 1, repeats);
@@ -115,7 +116,8 @@ int replay(const FuzzArguments& a, const program::Common& common) {
   Replay runs(found, *judged, scratch);
   for (const ChosenMesher& one : found.meshers) runs.run(*one.mesher);
   if (!common.json.empty())
-    program::write_json(common.json, {{"seed", found.options.seed}, {"case", found.index}, {"runs", runs.json}});
+    program::write_json(common.json,
+                        {{"seed", found.options.seed}, {"case", found.index}, {"runs", runs.json}});
   if (common.json != "-") program::write_text("-", head + "\n" + runs.text);
   return runs.exit_code();
 }

@@ -32,7 +32,8 @@ CampaignOptions options_of(const FuzzArguments& a) {
 }
 
 // Takes over what the campaign was run with. `mesher`: the one of the case; empty: all.
-void follow(const CampaignSettings& settings, const std::string& mesher, const FuzzArguments& a, ReplayCase& found) {
+void follow(const CampaignSettings& settings, const std::string& mesher, const FuzzArguments& a,
+            ReplayCase& found) {
   found.options.seed = settings.seed;
   found.options.cases = settings.cases;
   found.options.surfaces = settings.surfaces;
@@ -46,7 +47,8 @@ void follow(const CampaignSettings& settings, const std::string& mesher, const F
   for (const MesherFacts& facts : settings.meshers) {
     if (!mesher.empty() && facts.name != mesher) continue;
     if (facts.words.empty())
-      throw InputError(fmt::format("the journal does not say how to run '{}': name it by --mesher or COMMAND", facts.name));
+      throw InputError(fmt::format("the journal does not say how to run '{}': name it by --mesher or COMMAND",
+                                   facts.name));
     std::vector<ChosenMesher> chosen = choose_meshers(facts.words);
     std::move(chosen.begin(), chosen.end(), std::back_inserter(found.meshers));
   }
@@ -81,8 +83,9 @@ ReplayCase finding(const fs::path& folder, const FuzzArguments& a) {
       }
   }
   if (!named)
-    throw InputError(fmt::format("{}: no journal in {} names this finding: name the mesher by --mesher or COMMAND",
-                                 folder.string(), campaign.string()));
+    throw InputError(
+        fmt::format("{}: no journal in {} names this finding: name the mesher by --mesher or COMMAND",
+                    folder.string(), campaign.string()));
   found.meshers = choose_meshers(a.mesher);
   return found;
 }
@@ -98,14 +101,14 @@ ReplayCase case_of_folder(const fs::path& path, std::uint64_t index, const FuzzA
 
 ReplayCase case_of_group(const FuzzArguments& a) {
   if (a.out.empty())
-    throw InputError(fmt::format("--replay: expected SEED:INDEX, DIR/INDEX, the folder of a finding, or a group's id "
-                                 "with --out DIR, found '{}'",
-                                 a.replay));
+    throw InputError(
+        fmt::format("--replay: expected SEED:INDEX, DIR/INDEX, the folder of a finding, or a group's id "
+                    "with --out DIR, found '{}'",
+                    a.replay));
   const CampaignResult result = merge_campaign({a.out});
   const auto group = std::find_if(result.groups.begin(), result.groups.end(),
                                   [&](const FailureGroup& one) { return one.id() == a.replay; });
-  if (group == result.groups.end())
-    throw InputError(fmt::format("{}: has no group '{}'", a.out, a.replay));
+  if (group == result.groups.end()) throw InputError(fmt::format("{}: has no group '{}'", a.out, a.replay));
   ReplayCase found{.options = options_of(a), .index = group->cases.front().index};
   follow(result.settings, group->cases.front().mesher, a, found);
   return found;

@@ -20,9 +20,9 @@ struct ReplayCase {
   std::vector<ChosenMesher> meshers;
 };
 
-/// Finds what `a.replay` names: SEED:INDEX; DIR/INDEX; DIR/findings/NAME; or the id of a group in the journals
-/// of `a.out`. What a journal says of seed, surfaces, limits and meshers is taken from it, except the meshers if
-/// `a` names some. InputError if there is no such case.
+/// Finds what `a.replay` names: SEED:INDEX; DIR/INDEX; DIR/findings/NAME; or the id of a group in the
+/// journals of `a.out`. What a journal says of seed, surfaces, limits and meshers is taken from it, except
+/// the meshers if `a` names some. InputError if there is no such case.
 ReplayCase find_replay_case(const FuzzArguments& a);
 
 }  // namespace tetproof::corpus

@@ -112,14 +112,20 @@ TEST(Campaign, MergingNamesWhatIsNotDoneAndRefusesWhatDoesNotBelong) {
   EXPECT_EQ(merged.cases.size(), 25u);
 
   std::filesystem::copy_file(parts / "journal-0-of-3.jsonl", other / "journal-0-of-3.jsonl");
-  EXPECT_NE(message_of<InputError>([&] { merge_campaign({parts.path(), other.path()}); }).find("the same shard"),
+  EXPECT_NE(message_of<InputError>([&] {
+              merge_campaign({parts.path(), other.path()});
+            }).find("the same shard"),
             std::string::npos);
-  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty.path()}); }).find("no journal"), std::string::npos);
-  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty / "none"}); }).find("none"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty.path()}); }).find("no journal"),
+            std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty / "none"}); }).find("none"),
+            std::string::npos);
   CampaignOptions another = fake_options(31, seeds.path());
   another.seed = 8;
   run_campaign({&mesher}, another);
-  EXPECT_NE(message_of<InputError>([&] { merge_campaign({parts.path(), seeds.path()}); }).find("seed: 8, not 7"),
+  EXPECT_NE(message_of<InputError>([&] {
+              merge_campaign({parts.path(), seeds.path()});
+            }).find("seed: 8, not 7"),
             std::string::npos);
 }
 
@@ -212,7 +218,9 @@ TEST(Campaign, ASurfaceThatIsNoneIsOurFailure) {
     if (index == 4) throw InputError("no polygon");
     return {.surface = fake_surface(index), .recipe = {}, .genus = index == 4 ? 1 : 0};
   };
-  EXPECT_NE(message_of<std::logic_error>([&] { run_campaign({&mesher}, options); }).find("index 4 is not valid: no polygon"),
+  EXPECT_NE(message_of<std::logic_error>([&] {
+              run_campaign({&mesher}, options);
+            }).find("index 4 is not valid: no polygon"),
             std::string::npos);
   options.surface_of = [](std::uint64_t index) {
     return FuzzSurface{.surface = fake_surface(index), .recipe = {}, .genus = index == 4 ? 1 : 0};

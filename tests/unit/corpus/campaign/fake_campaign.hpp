@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesher without a process and surfaces without a recipe, for tests of the driver: what happens to a case is
-// written in the test.
+// A mesher without a process and surfaces without a recipe, for tests of the driver: what happens to a case
+// is written in the test.
 #pragma once
 
 #include <atomic>
@@ -28,9 +28,9 @@ inline TriangleSurface fake_surface(std::uint64_t index) {
     return s;
   }
   // A bipyramid over a polygon of n + 2 corners.
-  const std::vector<Eigen::Vector3d> ring = n == 1 ? std::vector<Eigen::Vector3d>{{size, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}
-                                                   : std::vector<Eigen::Vector3d>{
-                                                         {size, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const std::vector<Eigen::Vector3d> ring =
+      n == 1 ? std::vector<Eigen::Vector3d>{{size, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}
+             : std::vector<Eigen::Vector3d>{{size, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   s.vertices = ring;
   const auto corners = static_cast<Index>(ring.size());
   s.vertices.insert(s.vertices.end(), {{0, 0, 1}, {0, 0, -1}});
@@ -46,8 +46,8 @@ inline std::uint64_t index_of(const TriangleSurface& surface) {
   return static_cast<std::uint64_t>(std::lround(surface.vertices[0].x())) - 1;
 }
 
-/// What a run of the fake mesher ends with. Without a failure it returns a mesh of one tetrahedron: it is sound
-/// for a surface of four triangles, and fills too little of the others.
+/// What a run of the fake mesher ends with. Without a failure it returns a mesh of one tetrahedron: it is
+/// sound for a surface of four triangles, and fills too little of the others.
 struct FakeRun {
   std::optional<Outcome> failure{};
   std::string signature{};
@@ -105,7 +105,9 @@ inline CampaignOptions fake_options(std::uint64_t cases, const std::string& fold
           .folder = folder,
           .words = {{"--mesher", "fake"}},
           .version = "1",
-          .surface_of = [](std::uint64_t index) { return FuzzSurface{.surface = fake_surface(index), .recipe = {}}; }};
+          .surface_of = [](std::uint64_t index) {
+            return FuzzSurface{.surface = fake_surface(index), .recipe = {}};
+          }};
 }
 
 /// A script that crashes, refuses, is slow and is sound by the index alone.

@@ -43,8 +43,7 @@ TEST(Groups, VariantsOfOnePresetAreOneGroup) {
 
 TEST(Groups, OnlyFindings) {
   std::vector<CaseResult> cases;
-  for (int o = 0; o < outcome_count; ++o)
-    cases.push_back(failing(1, "m", 4, static_cast<Outcome>(o), ""));
+  for (int o = 0; o < outcome_count; ++o) cases.push_back(failing(1, "m", 4, static_cast<Outcome>(o), ""));
   const auto groups = group_failures(cases);
   std::set<Outcome> grouped;
   for (const FailureGroup& group : groups) grouped.insert(group.outcome);
@@ -92,8 +91,8 @@ TEST(Repeats, TheWorstCountsAndNothingIsLost) {
   };
   CaseResult result{.index = 5, .mesher = "m,a", .triangles = 9};
   add_up(result, {said(Outcome::sound, ""), said(Outcome::crashed, "f"), said(Outcome::slow, "cpu"),
-                  said(Outcome::wrong, "overlap"), said(Outcome::wrong, "inverted"), said(Outcome::wrong, "overlap"),
-                  said(Outcome::sound, "")});
+                  said(Outcome::wrong, "overlap"), said(Outcome::wrong, "inverted"),
+                  said(Outcome::wrong, "overlap"), said(Outcome::sound, "")});
   EXPECT_EQ(result.outcome, Outcome::wrong);
   EXPECT_EQ(result.signature, "overlap");
   EXPECT_EQ(result.what, "w-overlap");
@@ -103,7 +102,9 @@ TEST(Repeats, TheWorstCountsAndNothingIsLost) {
   const auto groups = group_failures({result});
   ASSERT_EQ(groups.size(), 3u);
   for (const char* id : {"m:wrong-answer:overlap", "m:wrong-answer:inverted", "m:crashed:f"})
-    EXPECT_TRUE(std::any_of(groups.begin(), groups.end(), [&](const auto& group) { return group.id() == id; })) << id;
+    EXPECT_TRUE(std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.id() == id;
+    })) << id;
   EXPECT_EQ(groups.back().cases[0].failed, 1);
   EXPECT_EQ(groups.back().cases[0].what, "w-f");
 }

@@ -15,15 +15,16 @@ namespace {
 using tetproof::test::ScratchFolder;
 
 CampaignSettings settings() {
-  return {.seed = 5,
-          .cases = 100,
-          .shard = 1,
-          .shards = 2,
-          .limits = {.cpu_s = 0.1},
-          .judge = {.check = {"flat"}},
-          .meshers = {{.name = "m,a", .command = "m {surface}", .version = "1.5", .words = {"--mesher", "m,a"}},
-                      {.name = "m,b"}},
-          .version = "0.1"};
+  return {
+      .seed = 5,
+      .cases = 100,
+      .shard = 1,
+      .shards = 2,
+      .limits = {.cpu_s = 0.1},
+      .judge = {.check = {"flat"}},
+      .meshers = {{.name = "m,a", .command = "m {surface}", .version = "1.5", .words = {"--mesher", "m,a"}},
+                  {.name = "m,b"}},
+      .version = "0.1"};
 }
 
 CaseResult result(std::uint64_t index, const std::string& mesher = "m,a") {
@@ -212,7 +213,8 @@ TEST(Journal, AnotherProgramsFileIsNotWrittenOver) {
 TEST(Journal, IsLocked) {
   const ScratchFolder folder;
   const Journal journal(folder.path(), settings());
-  EXPECT_NE(message_of([&] { Journal(folder.path(), settings()); }).find("another process"), std::string::npos);
+  EXPECT_NE(message_of([&] { Journal(folder.path(), settings()); }).find("another process"),
+            std::string::npos);
 }
 
 TEST(Journal, ManyThreadsAppendWholeLines) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A shard that is killed at any moment and started again goes on where it was and loses nothing. This test program
-// starts itself: the child runs the campaign of the test CampaignOfAChild.
+// A shard that is killed at any moment and started again goes on where it was and loses nothing. This test
+// program starts itself: the child runs the campaign of the test CampaignOfAChild.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -60,7 +60,8 @@ void wait_for_growth(const std::string& path) {
     return none ? 0 : bytes;
   };
   const auto before = size();
-  for (int k = 0; k < 10000 && size() <= before; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int k = 0; k < 10000 && size() <= before; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 // The cases that the child was told are done; a torn last line says nothing.

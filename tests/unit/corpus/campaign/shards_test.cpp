@@ -43,15 +43,20 @@ TEST(Shards, TheOptionComesFirst) {
 
 TEST(Shards, GoogleTest) {
   EXPECT_EQ(found("", "", {{"GTEST_SHARD_INDEX", "2"}, {"GTEST_TOTAL_SHARDS", "5"}}), (Shard{2, 5}));
-  EXPECT_NE(refusal("", "", {{"GTEST_TOTAL_SHARDS", "5"}}).find("GTEST_SHARD_INDEX is not"), std::string::npos);
-  EXPECT_NE(refusal("", "", {{"GTEST_SHARD_INDEX", "5"}}).find("GTEST_TOTAL_SHARDS is not"), std::string::npos);
-  EXPECT_NE(refusal("", "", {{"GTEST_SHARD_INDEX", "5"}, {"GTEST_TOTAL_SHARDS", "5"}}).find("5 of 5"), std::string::npos);
+  EXPECT_NE(refusal("", "", {{"GTEST_TOTAL_SHARDS", "5"}}).find("GTEST_SHARD_INDEX is not"),
+            std::string::npos);
+  EXPECT_NE(refusal("", "", {{"GTEST_SHARD_INDEX", "5"}}).find("GTEST_TOTAL_SHARDS is not"),
+            std::string::npos);
+  EXPECT_NE(refusal("", "", {{"GTEST_SHARD_INDEX", "5"}, {"GTEST_TOTAL_SHARDS", "5"}}).find("5 of 5"),
+            std::string::npos);
 }
 
 TEST(Shards, SlurmArrayFromAnyFirstTask) {
   EXPECT_EQ(found("", "", {{"SLURM_ARRAY_TASK_ID", "0"}, {"SLURM_ARRAY_TASK_COUNT", "4"}}), (Shard{0, 4}));
-  EXPECT_EQ(found("", "", {{"SLURM_ARRAY_TASK_ID", "12"}, {"SLURM_ARRAY_TASK_COUNT", "4"}, {"SLURM_ARRAY_TASK_MIN", "10"}}),
-            (Shard{2, 4}));
+  EXPECT_EQ(
+      found("", "",
+            {{"SLURM_ARRAY_TASK_ID", "12"}, {"SLURM_ARRAY_TASK_COUNT", "4"}, {"SLURM_ARRAY_TASK_MIN", "10"}}),
+      (Shard{2, 4}));
   EXPECT_EQ(found("", "4",
                   {{"SLURM_ARRAY_TASK_ID", "16"},
                    {"SLURM_ARRAY_TASK_COUNT", "4"},
@@ -59,20 +64,25 @@ TEST(Shards, SlurmArrayFromAnyFirstTask) {
                    {"SLURM_ARRAY_TASK_STEP", "2"}}),
             (Shard{3, 4}));
   // --array=1,5,7: its numbers say nothing of their order.
-  EXPECT_NE(refusal("", "", {{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_COUNT", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}})
-                .find("6 of 3"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("", "",
+              {{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_COUNT", "3"}, {"SLURM_ARRAY_TASK_MIN", "1"}})
+          .find("6 of 3"),
+      std::string::npos);
   EXPECT_NE(refusal("", "", {{"SLURM_ARRAY_TASK_ID", "7"}}).find("COUNT is not"), std::string::npos);
   // One task of a job of eight, submitted again by itself, would run all cases.
-  EXPECT_NE(refusal("", "8", {{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "1"}, {"SLURM_ARRAY_TASK_MIN", "3"}})
-                .find("there are 1"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("", "8",
+              {{"SLURM_ARRAY_TASK_ID", "3"}, {"SLURM_ARRAY_TASK_COUNT", "1"}, {"SLURM_ARRAY_TASK_MIN", "3"}})
+          .find("there are 1"),
+      std::string::npos);
 }
 
 TEST(Shards, KubernetesIndexedJob) {
   EXPECT_EQ(found("", "6", {{"JOB_COMPLETION_INDEX", "5"}}), (Shard{5, 6}));
   EXPECT_EQ(found("", "", {{"JOB_COMPLETION_INDEX", "5"}, {"JOB_COMPLETIONS", "6"}}), (Shard{5, 6}));
-  EXPECT_NE(refusal("", "", {{"JOB_COMPLETION_INDEX", "5"}}).find("--shards or JOB_COMPLETIONS"), std::string::npos);
+  EXPECT_NE(refusal("", "", {{"JOB_COMPLETION_INDEX", "5"}}).find("--shards or JOB_COMPLETIONS"),
+            std::string::npos);
   EXPECT_NE(refusal("", "7", {{"JOB_COMPLETION_INDEX", "5"}, {"JOB_COMPLETIONS", "6"}}).find("there are 6"),
             std::string::npos);
 }
