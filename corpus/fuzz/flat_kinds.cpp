@@ -117,7 +117,7 @@ Shape thin_plate(const Numbers& values) {
 }
 
 FuzzParameter points(double high) {
-  return {"n", Draw::integer, 0, 2000, 1, high, 0, "random points that split each face"};
+  return {"n", Draw::integer, 0, 1000, 1, high, 0, "random points that split each face"};
 }
 
 }  // namespace

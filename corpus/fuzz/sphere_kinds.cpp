@@ -19,7 +19,7 @@ TriangleSurface sphere(int f) {
 }
 
 FuzzParameter frequency(double low, double high) {
-  return {"f", Draw::integer, 1, 100, low, high, 1, "pieces of an octahedron's edge: 8 f^2 triangles"};
+  return {"f", Draw::integer, 1, 50, low, high, 1, "pieces of an octahedron's edge: 8 f^2 triangles"};
 }
 
 Shape big_sphere(const Numbers& values) {
