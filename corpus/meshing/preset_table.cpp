@@ -89,7 +89,7 @@ Preset netgen() {
 }
 
 Preset cgal() {
-  Preset p{"cgal", "CGAL's Mesh_3", {"cgal_mesh3"}, {"--version"}, "", ".off", "mesh.mesh"};
+  Preset p{"cgal", "CGAL's Mesh_3", {"cgal_mesh3"}, {"--version"}, "CGAL ", ".off", "mesh.mesh"};
   p.may_change_boundary = true;
   p.fidelity =
       0.05;      // it keeps its facet distance at the centres of facets, but cuts sharp edges by its size

@@ -9,6 +9,7 @@
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/version.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -23,6 +24,10 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 int main(int argc, char** argv) {
+  if (argc == 2 && std::string(argv[1]) == "--version") {
+    std::cout << "CGAL " << CGAL_VERSION_STR << "\n";
+    return 0;
+  }
   if (argc < 5) {
     std::cerr << "usage: cgal_mesh3 SURFACE.off GRID.mesh CELL_SIZE FACET_DISTANCE [optimise]\n";
     return 2;
