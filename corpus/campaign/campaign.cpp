@@ -14,6 +14,7 @@
 #include "corpus/campaign/certified_surface.hpp"
 #include "corpus/campaign/conclude.hpp"
 #include "corpus/campaign/journal.hpp"
+#include "corpus/campaign/settings.hpp"
 #include "corpus/campaign/shrink_groups.hpp"
 #include "corpus/fuzz_campaign.hpp"
 #include "io/error.hpp"
@@ -21,7 +22,7 @@
 namespace tetproof::corpus {
 namespace {
 
-CampaignSettings settings_of(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
+CampaignSettings settings_for(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
   CampaignSettings s{.seed = o.seed,
                      .cases = o.cases,
                      .shard = o.shard,
@@ -42,9 +43,7 @@ CampaignSettings settings_of(const std::vector<const Mesher*>& meshers, const Ca
 
 void check(const std::vector<const Mesher*>& meshers, const CampaignOptions& o) {
   if (meshers.empty()) throw InputError("expected at least one mesher");
-  if (o.shards == 0 || o.shard >= o.shards)
-    throw InputError(
-        fmt::format("expected a shard below the number of shards, found {} of {}", o.shard, o.shards));
+  check_shard(o.shard, o.shards);
   std::set<std::string> names;
   for (const Mesher* mesher : meshers)
     if (!names.insert(mesher->name()).second)
@@ -135,7 +134,7 @@ class Campaign {
 
 CampaignResult run_campaign(const std::vector<const Mesher*>& meshers, const CampaignOptions& options) {
   check(meshers, options);
-  const CampaignSettings settings = settings_of(meshers, options);
+  const CampaignSettings settings = settings_for(meshers, options);
   std::optional<Journal> journal;
   if (!options.folder.empty()) journal.emplace(options.folder, settings);
   if (options.started) options.started(journal ? journal->content().cases.size() : 0);

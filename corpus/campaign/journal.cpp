@@ -46,6 +46,7 @@ class Reader {
     if (!has_settings_) {
       if (!is_header(json)) throw InputError("expected the settings of a campaign");
       content_.settings = header_of(json);
+      check_shard(content_.settings.shard, content_.settings.shards);
       for (const MesherFacts& mesher : content_.settings.meshers) meshers_.insert(mesher.name);
       has_settings_ = true;
     } else if (is_shrunk(json)) {
@@ -77,6 +78,17 @@ class Reader {
 
 std::string journal_name(std::uint64_t shard, std::uint64_t shards) {
   return fmt::format("journal-{}-of-{}.jsonl", shard, shards);
+}
+
+std::vector<std::string> journals_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("journal-") && name.ends_with(".jsonl")) paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
 }
 
 JournalContent read_journal(const std::string& path) {

@@ -25,6 +25,9 @@ struct JournalContent {
 /// "journal-3-of-8.jsonl".
 std::string journal_name(std::uint64_t shard, std::uint64_t shards);
 
+/// The paths of all journals in a folder, sorted; none if it cannot be read.
+std::vector<std::string> journals_in(const std::string& folder);
+
 /// Reads a journal. What a kill left of the last lines is not in it. InputError, with the line's number, if a
 /// line before valid ones is damaged.
 JournalContent read_journal(const std::string& path);

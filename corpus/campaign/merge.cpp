@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "corpus/campaign/conclude.hpp"
@@ -13,19 +12,6 @@
 
 namespace tetproof::corpus {
 namespace {
-
-std::vector<std::string> journals_in(const std::string& folder) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("journal-") && name.ends_with(".jsonl")) paths.push_back(entry.path().string());
-  }
-  if (error) throw InputError(fmt::format("{}: cannot read the folder: {}", folder, error.message()));
-  if (paths.empty()) throw InputError(fmt::format("{}: has no journal of a campaign", folder));
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 struct Shard {
   std::string path;
@@ -45,8 +31,10 @@ CampaignResult merge_campaign(const std::vector<std::string>& folders,
   if (folders.empty()) throw InputError("expected at least one folder of a campaign");
   std::map<std::uint64_t, Shard> shards;
   const Shard* first = nullptr;
-  for (const std::string& folder : folders)
-    for (const std::string& path : journals_in(folder)) {
+  for (const std::string& folder : folders) {
+    const std::vector<std::string> paths = journals_in(folder);
+    if (paths.empty()) throw InputError(fmt::format("{}: there is no journal of a campaign", folder));
+    for (const std::string& path : paths) {
       Shard shard{path, read_journal(path)};
       if (shard.content.bytes == 0) continue;  // killed before its first line: it counts as missing
       const std::uint64_t number = shard.content.settings.shard;
@@ -60,6 +48,7 @@ CampaignResult merge_campaign(const std::vector<std::string>& folders,
       if (!added) throw InputError(fmt::format("{}: has the same shard as {}", path, place->second.path));
       if (!first) first = &place->second;
     }
+  }
   if (!first) throw InputError(fmt::format("{}: the journal is empty", folders.front()));
 
   CampaignSettings settings = first->content.settings;

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/error.hpp"
+
 namespace tetproof::corpus {
 namespace {
 
@@ -105,6 +107,14 @@ CampaignSettings settings_of(const Json& json) {
                          .repeats = mesher.at("repeats"),
                          .words = mesher.at("words").get<std::vector<std::string>>()});
   return s;
+}
+
+void check_shard(std::uint64_t shard, std::uint64_t shards) {
+  if (shards > most_shards)
+    throw InputError(fmt::format("expected at most {} shards, found {}", most_shards, shards));
+  if (shard >= shards)
+    throw InputError(
+        fmt::format("expected a shard from 0 to below the number of shards, found {} of {}", shard, shards));
 }
 
 std::string differences(const CampaignSettings& there, const CampaignSettings& wanted, bool with_shard) {

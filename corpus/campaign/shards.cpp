@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "corpus/campaign/settings.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {
@@ -22,9 +23,11 @@ std::uint64_t number(std::string_view name, std::string_view text) {
 }
 
 Shard checked(Shard shard) {
-  if (shard.shards == 0 || shard.shard >= shard.shards)
-    throw InputError(fmt::format("{}: expected a shard from 0 to below the number of shards, found {} of {}",
-                                 shard.source, shard.shard, shard.shards));
+  try {
+    check_shard(shard.shard, shard.shards);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", shard.source, error.what()));
+  }
   return shard;
 }
 

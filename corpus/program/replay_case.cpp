@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "corpus/campaign/journal.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {
@@ -59,30 +60,24 @@ void check_index(const CampaignSettings& settings, std::uint64_t index, const st
     throw InputError(fmt::format("{}: has the cases 0 to {}, not {}", folder, settings.cases - 1, index));
 }
 
-// DIR/findings/NAME: the surface of the folder; the journal in DIR, if it is there, says which mesher.
+// DIR/findings/NAME: the surface of the folder. A journal in DIR that knows it says with which mesher;
+// without one, as where the folder was moved, the command line must.
 ReplayCase finding(const fs::path& folder, const FuzzArguments& a) {
   ReplayCase found{.options = options_of(a)};
   found.surface_file = (folder / "surface.off").string();
   if (!fs::exists(found.surface_file))
     throw InputError(fmt::format("{}: expected the folder of a finding, with surface.off", folder.string()));
-  const fs::path campaign = folder.parent_path().parent_path();
-  const bool named = !a.mesher.command.empty() || !a.mesher.presets.empty();
-  std::string name = folder.filename().string();
-  if (!named || fs::exists(campaign / "report.json")) {
-    CampaignResult result;
-    try {
-      result = merge_campaign({campaign.empty() ? "." : campaign.string()});
-    } catch (const InputError&) {
-      if (!named) throw;
-    }
-    for (const ShrunkCase& one : result.shrunk)
-      if (fs::path(one.folder).filename() == name) {
-        follow(result.settings, one.mesher, a, found);
+  const fs::path campaign = fs::absolute(folder).parent_path().parent_path();
+  for (const std::string& path : journals_in(campaign.string())) {
+    const JournalContent journal = read_journal(path);
+    for (const ShrunkCase& one : journal.shrunk)
+      if (fs::path(one.folder).filename() == folder.filename()) {
+        follow(journal.settings, one.mesher, a, found);
         found.index = one.index;
         return found;
       }
   }
-  if (!named)
+  if (a.mesher.command.empty() && a.mesher.presets.empty())
     throw InputError(
         fmt::format("{}: no journal in {} names this finding: name the mesher by --mesher or COMMAND",
                     folder.string(), campaign.string()));

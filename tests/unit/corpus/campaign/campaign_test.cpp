@@ -116,7 +116,7 @@ TEST(Campaign, MergingNamesWhatIsNotDoneAndRefusesWhatDoesNotBelong) {
               merge_campaign({parts.path(), other.path()});
             }).find("the same shard"),
             std::string::npos);
-  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty.path()}); }).find("no journal"),
+  EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty.path()}); }).find("there is no journal"),
             std::string::npos);
   EXPECT_NE(message_of<InputError>([&] { merge_campaign({empty / "none"}); }).find("none"),
             std::string::npos);

@@ -203,6 +203,19 @@ TEST(Journal, OtherSettingsAreRefusedByName) {
   EXPECT_EQ(folder.read(name), before);
 }
 
+TEST(Journal, SettingsThatCannotBeAreRefused) {
+  const ScratchFolder folder;
+  { Journal journal(folder.path(), settings()); }
+  const std::string text = folder.read(name);
+  for (const char* shards : {"0", "1", "1000001", "\"two\"", "-1"}) {
+    std::string changed = text;
+    changed.replace(changed.find("\"shards\":2") + 9, 1, shards);
+    folder.write(name, changed);
+    EXPECT_NE(message_of([&] { read_journal(folder / name); }).find(name + ":1: "), std::string::npos)
+        << shards;
+  }
+}
+
 TEST(Journal, AnotherProgramsFileIsNotWrittenOver) {
   const ScratchFolder folder;
   folder.write(name, "my notes\n");
