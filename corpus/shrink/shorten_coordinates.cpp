@@ -3,6 +3,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "corpus/shrink/decimals.hpp"
 
@@ -51,14 +52,24 @@ bool round_all(CertifiedTest& test, TriangleSurface& surface) {
   return success.has_value();
 }
 
-bool round_vertices(CertifiedTest& test, TriangleSurface& surface) {
+// A coordinate of a vertex, or all three.
+struct Place {
+  std::size_t vertex;
+  int axis;  // -1: all
+};
+
+bool round_places(CertifiedTest& test, TriangleSurface& surface, const std::vector<Place>& places) {
   const int coarsest = coarsest_decimals(surface);
-  const std::size_t each = tried_decimals.size(), n = surface.vertices.size() * each;
+  const std::size_t each = tried_decimals.size(), n = places.size() * each;
   bool changed = false;
   for (std::size_t at = 0; at < n;) {
     auto success = test.first(n - at, surface.triangles.size(), [&](std::size_t i) {
+      const auto [vertex, axis] = places[(at + i) / each];
       TriangleSurface candidate = surface;
-      round_vertex(candidate.vertices[(at + i) / each], coarsest + tried_decimals[(at + i) % each]);
+      Eigen::Vector3d& p = candidate.vertices[vertex];
+      round_vertex(p, coarsest + tried_decimals[(at + i) % each]);
+      for (int other = 0; axis >= 0 && other < 3; ++other)
+        if (other != axis) p[other] = surface.vertices[vertex][other];
       return if_shorter(std::move(candidate), surface, coarsest);
     });
     if (!success) break;
@@ -69,13 +80,31 @@ bool round_vertices(CertifiedTest& test, TriangleSurface& surface) {
   return changed;
 }
 
+bool round_vertices(CertifiedTest& test, TriangleSurface& surface) {
+  std::vector<Place> places;
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) places.push_back({v, -1});
+  return round_places(test, surface, places);
+}
+
+// Long coordinates by themselves: often one of a vertex matters and its others do not.
+bool round_long_coordinates(CertifiedTest& test, TriangleSurface& surface) {
+  constexpr int long_beyond = 4;
+  const int coarsest = coarsest_decimals(surface);
+  std::vector<Place> places;
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v)
+    for (int axis = 0; axis < 3; ++axis)
+      if (decimals_of(surface.vertices[v][axis]) > coarsest + long_beyond) places.push_back({v, axis});
+  return round_places(test, surface, places);
+}
+
 }  // namespace
 
 bool shorten_coordinates(CertifiedTest& test, TriangleSurface& surface) {
   const bool moved = bring_near(test, surface);
   const bool all = round_all(test, surface);
   const bool vertices = round_vertices(test, surface);
-  return moved || all || vertices;
+  const bool coordinates = round_long_coordinates(test, surface);
+  return moved || all || vertices || coordinates;
 }
 
 }  // namespace tetproof::corpus

@@ -28,7 +28,10 @@ struct Steps {
 
   std::string text(const TriangleSurface& surface) const {
     std::string all;
-    const auto add = [&](const std::string& step) { all += (all.empty() ? "" : ", ") + step; };
+    const auto add = [&](const std::string& step) {
+      if (!all.empty()) all += ", ";
+      all += step;
+    };
     const auto count = [&](std::int64_t n, const char* one, const char* many) {
       if (n > 0) add(fmt::format("{} {}", n, n == 1 ? one : many));
     };

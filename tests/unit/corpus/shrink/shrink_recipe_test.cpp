@@ -72,6 +72,34 @@ TEST(ShrinkRecipe, PassesOverWhatCannotBeBuilt) {
   EXPECT_GT(result.not_built, 0);
 }
 
+// The real kinds: the result builds what the recipe says, fails, and no simpler recipe does.
+TEST(ShrinkRecipe, OfRealKindsEndsWhereNoSimplerOneFails) {
+  int shrunk = 0;
+  for (std::uint64_t index = 0; index < 12; ++index) {
+    const FuzzSurface start = fuzz_surface(5, index);
+    const std::size_t bound = start.surface.triangles.size() / 3;
+    const StillFails fails = [&](const TriangleSurface& s) { return s.triangles.size() >= bound; };
+    const RecipeShrinkResult one = shrink_recipe(start, fails, {.threads = 1});
+    const RecipeShrinkResult two = shrink_recipe(start, fails, {.threads = 2});
+    EXPECT_TRUE(one.finished && one.confirmed) << recipe_text(start.recipe);
+    EXPECT_EQ(recipe_text(one.surface.recipe), recipe_text(two.surface.recipe));
+    EXPECT_TRUE(fails(one.surface.surface));
+    EXPECT_EQ(build(one.surface.recipe).surface.vertices, one.surface.surface.vertices);
+    EXPECT_LE(one.surface.surface.triangles.size(), start.surface.triangles.size());
+    shrunk += one.steps > 0;
+    for (const Recipe& recipe : simpler(one.surface.recipe)) {
+      std::size_t triangles = 0;
+      try {
+        triangles = build(recipe).surface.triangles.size();
+      } catch (const InputError&) {
+      }
+      EXPECT_FALSE(triangles >= bound && triangles <= one.surface.surface.triangles.size())
+          << recipe_text(recipe);
+    }
+  }
+  EXPECT_GT(shrunk, 6);
+}
+
 TEST(ShrinkRecipe, SaysThatTheSurfaceDoesNotFail) {
   const RecipeShrinkResult result = shrink_recipe(
       build_ball({"ball", {27, 0}}), [](const TriangleSurface&) { return false; }, {}, steps);
