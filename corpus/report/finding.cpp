@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "corpus/report/picture.hpp"
+#include "corpus/report/readme.hpp"
 #include "corpus/report/statements.hpp"
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/words.hpp"
@@ -108,13 +109,6 @@ std::string give_surface(const AtomicFolder& to, const FindingFacts& facts, cons
   return name;
 }
 
-// A mesh file in the finding, and the numbers by which statements name its points and tetrahedra.
-struct GivenMesh {
-  std::string file{};     ///< what the mesher wrote; empty: nothing
-  std::string checked{};  ///< what statements are about: the same, or a copy in a format that check.py reads
-  Numbering numbering{};
-};
-
 bool can_check(const MesherRun& run, const std::string& ending) {
   const std::string format = run.document ? run.document->format : "";
   const bool other_msh = ending == ".msh" && !format.empty() && format != "msh22" && format != "msh41";
@@ -208,73 +202,6 @@ Statements statements_for(const FindingFacts& facts, const TriangleSurface& surf
   return statements;
 }
 
-std::string with_thousands(std::int64_t n) {
-  std::string text = fmt::format("{}", n);
-  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-    text.insert(static_cast<std::size_t>(at), ",");
-  return text;
-}
-
-// In Markdown's code quotes, on one line, cut where it is long.
-std::string quoted(std::string text, std::size_t most = 300) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == '`') c = c == '`' ? '\'' : ' ';
-  if (text.size() > most) {
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80)
-      --most;  // no half of a letter
-    text = text.substr(0, most) + " ...";
-  }
-  return fmt::format("`{}`", text);
-}
-
-std::string readme(const FindingFacts& facts, const Statements& statements, const GivenMesh& mesh,
-                   const std::string& command, const TriangleSurface& surface,
-                   const std::vector<std::string>& files) {
-  const Outcome outcome = facts.judgement.outcome;
-  std::string text = fmt::format("# {}: {}\n\n", facts.mesher->name(), statements.headline);
-  const std::string version = facts.mesher->version();
-  text += fmt::format("- **Mesher**: {}. Command, in this folder: {}\n",
-                      version.empty() ? facts.mesher->name() + ", of unknown version" : version,
-                      command.empty() ? "a C++ function" : quoted(command));
-  const std::string& what = facts.judgement.what.empty() ? facts.run.message : facts.judgement.what;
-  text += fmt::format("- **What is wrong**: {} ({}; group `{}`).{}\n", statements.headline, name_of(outcome),
-                      facts.judgement.signature, what.empty() ? "" : " " + quoted(what));
-  const std::string of = mesh.checked.empty() ? "" : fmt::format("In `{}`: ", mesh.checked);
-  const bool without_surface = statements.list.size() > 1;
-  std::string seen;
-  for (std::size_t i = 0; i + (without_surface ? 1 : 0) < statements.list.size(); ++i)
-    seen += fmt::format("{}{}", i == 0 ? "" : "; ", statements.list[i].at("text").get<std::string>());
-  text += fmt::format("- **To see it without us**: {}{}.\n",
-                      outcome == Outcome::wrong || outcome == Outcome::wrong_against_surface ? of : "", seen);
-  if (without_surface)
-    text += fmt::format("- **The surface**: {}.\n", statements.list.back().at("text").get<std::string>());
-  text +=
-      "- **Proof**: `python3 ../check.py .` (in `corpus/findings/`) computes this anew from the files, in "
-      "exact "
-      "fractions and by brute force, with Python's standard library and no code of the judge.\n";
-  std::string often = facts.repeats > 1
-                          ? fmt::format("{} of {} runs of this surface; ", facts.failed, facts.repeats)
-                          : std::string();
-  text += fmt::format("- **How often**: {}in {} of {} random surfaces.\n", often, with_thousands(facts.cases),
-                      with_thousands(facts.cases_run));
-  const std::string recipe = recipe_text(facts.original.recipe);
-  text += fmt::format(
-      "- **Found with**: `tetproof-fuzz --mesher {}`, case {} of seed {}: {}, {}. Shrunk to {}{}{}.\n",
-      facts.mesher->name(), facts.index, facts.seed, quoted(recipe),
-      io::counted(facts.original.surface.triangles.size(), "triangles"), surface.triangles.size(),
-      facts.shrunk_recipe.empty() ? "" : ", " + quoted(facts.shrunk_recipe),
-      facts.shrink_steps.empty() ? "" : " (" + facts.shrink_steps + ")");
-  if (!facts.since.empty()) text += fmt::format("- **Since**: {}\n", facts.since);
-  std::string list;
-  for (const std::string& file : files) list += fmt::format("{}`{}`", list.empty() ? "" : ", ", file);
-  text += fmt::format(
-      "- **Files**: {}.{}\n\n![The surface and the defect](picture.svg)\n", list,
-      mesh.checked.ends_with("converted.msh")
-          ? fmt::format(" `{}` is `{}` point for point, with numbers from 1.", mesh.checked, mesh.file)
-          : "");
-  return text;
-}
-
 void fill(const AtomicFolder& to, const FindingFacts& facts) {
   TriangleSurface surface = facts.run.given ? *facts.run.given : facts.shrunk;
   surface.parameters.clear();  // OFF would hold (u,v) as texture coordinates
@@ -322,7 +249,7 @@ void fill(const AtomicFolder& to, const FindingFacts& facts) {
                                "\n");
   std::vector<std::string> files = to.files();
   files.insert(std::upper_bound(files.begin(), files.end(), "README.md"), "README.md");
-  to.write("README.md", readme(facts, statements, mesh, command, surface, files));
+  to.write("README.md", readme({facts, statements, mesh, command, surface, files}));
 }
 
 }  // namespace
