@@ -55,8 +55,14 @@ Recipe random_recipe(std::uint64_t seed, std::uint64_t index, const FuzzOptions&
 FuzzSurface build(const Recipe& recipe);
 
 /// Case `index` of `seed`: `random_recipe` and `build`. Modifiers that break the surface (rounding may let
-/// thin walls touch) are left out one by one, the last first; the recipe of the result is without them.
+/// thin walls touch) are left out one by one, the last first; the recipe of the result is without them. Where
+/// the surface is not valid even so (a combination may move tiny parts to where doubles are too sparse for
+/// them), another recipe is drawn.
 FuzzSurface fuzz_surface(std::uint64_t seed, std::uint64_t index, const FuzzOptions& options = {});
+
+/// How far a recipe is from the simplest ones: a surface or a modifier more outweighs all numbers; of these
+/// counts how far each is from the simplest value of its parameter.
+std::int64_t recipe_size(const Recipe& recipe);
 
 /// Simpler recipes to try when a surface is shrunk, the most drastic first: a part instead of the whole, one
 /// modifier less, smaller numbers, rounder lengths. Each has a smaller `recipe_size` than `recipe`, so that
@@ -65,6 +71,8 @@ std::vector<Recipe> simpler(const Recipe& recipe);
 
 /// A recipe as one line without spaces, "beside(cylinder(n=32,h=0.001),comb(teeth=4))+offset(x=1e6,y=0,z=0)",
 /// with every digit that is needed, and back. InputError with the position, what was expected and found.
+/// Parameters that the text does not name have their simplest values; a kind or modifier without any may do
+/// without the parentheses.
 std::string recipe_text(const Recipe& recipe);
 Recipe parse_recipe(std::string_view text);
 

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "corpus/fuzz/fuzz_spec.hpp"
+#include "corpus/fuzz_surface.hpp"
 #include "corpus/generators/generators.hpp"
 #include "io/error.hpp"
 #include "io/surface_files.hpp"
@@ -21,9 +23,8 @@ const Generator* find_generator(const std::string& spec) {
 
 std::string names() {
   std::string all;
-  for (const Generator& generator : generators())
-    all += (all.empty() ? "" : ", ") + std::string(generator.name);
-  return all;
+  for (const Generator& generator : generators()) all += std::string(generator.name) + ", ";
+  return all + "fuzz";
 }
 
 const Generator& generator_of(const std::string& spec) {
@@ -44,15 +45,17 @@ const std::vector<Generator>& generators() {
 }
 
 bool is_generated(const std::string& spec) {
-  return find_generator(spec) != nullptr;
+  return find_generator(spec) != nullptr || is_fuzz_spec(spec);
 }
 
 TriangleSurface make_surface(const std::string& spec) {
+  if (is_fuzz_spec(spec)) return fuzz_surface_of(spec).surface;
   const Generator& generator = generator_of(spec);
   return generator.make(parse_values(generator, spec));
 }
 
 std::optional<double> exact_volume(const std::string& spec) {
+  if (is_fuzz_spec(spec)) return fuzz_surface_of(spec).volume;
   const Generator& generator = generator_of(spec);
   return generator.volume(parse_values(generator, spec));
 }
@@ -92,6 +95,12 @@ std::string list_surfaces() {
     }
     text += fmt::format("    volume: {}\n", generator.volume_text);
   }
+  text +=
+      "fuzz: a random surface that is hard for meshers, by its case or by its recipe\n"
+      "    seed=1,case=0  case `case` of the seed (0 to 18446744073709551615)\n"
+      "    RECIPE         as cylinder(n=32,h=0.001)+offset(x=1e+06)\n"
+      "    volume: of the triangulated body, exact, rounded once\n";
+  text += list_fuzz_kinds();
   return text;
 }
 

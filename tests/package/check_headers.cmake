@@ -1,5 +1,5 @@
 # Every installed header compiles on its own, and none brings in another project's headers but Eigen's; GoogleTest's
-# only <tetproof/verify/gtest.hpp> does, which is what it is for, and Boost's rational numbers the headers of the page.
+# only <tetproof/verify/gtest.hpp> does, RapidCheck's only <tetproof/corpus/rapidcheck.hpp>, which are for that, and Boost's rational numbers the headers of the page.
 # usage: cmake -DPREFIX=DIR -DCOMPILER=CXX -DEIGEN=DIR -DWORK=DIR -P check_headers.cmake
 file(GLOB_RECURSE headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tetproof/*.hpp")
 list(LENGTH headers count)
@@ -32,5 +32,10 @@ foreach(header ${headers})
   string(REGEX MATCH "[^ \\\n]*/(gtest|gmock)/[^ \\\n]*" googletest "${names}")
   if(googletest AND NOT header STREQUAL "tetproof/verify/gtest.hpp")
     message(SEND_ERROR "<${header}> includes ${googletest}")
+  endif()
+  string(REGEX MATCH "[^ \\\n]*/rapidcheck[./][^ \\\n]*" rapidcheck "${names}")
+  string(REPLACE "tetproof/corpus/rapidcheck.hpp" "" rapidcheck "${rapidcheck}")
+  if(rapidcheck MATCHES "rapidcheck" AND NOT header STREQUAL "tetproof/corpus/rapidcheck.hpp")
+    message(SEND_ERROR "<${header}> includes ${rapidcheck}")
   endif()
 endforeach()

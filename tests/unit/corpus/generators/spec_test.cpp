@@ -70,7 +70,7 @@ TEST(Spec, ErrorsAreOneLineThatSaysWhatToDo) {
   EXPECT_EQ(error_of("shpere:r=1"),
             "shpere:r=1: no such generated surface (known: sphere, torus, wing, random, shells, octahedron, "
             "box, groove, terrain, "
-            "hollow, bottle, pair)");
+            "hollow, bottle, pair, fuzz)");
 }
 
 TEST(Spec, LongOrUnprintableOnesGiveAShortLine) {
@@ -116,7 +116,7 @@ TEST(OpenSurface, GeneratedOrFromAFile) {
   EXPECT_EQ(error_of("shpere", opened),
             "shpere: no such file, and no such generated surface (known: sphere, torus, wing, random, "
             "shells, octahedron, box, groove, "
-            "terrain, hollow, bottle, pair)");
+            "terrain, hollow, bottle, pair, fuzz)");
   EXPECT_EQ(error_of("/no/such.off", opened), "/no/such.off: cannot open: No such file or directory");
 }
 
