@@ -46,6 +46,10 @@ std::string frame_of(const std::string& line) {
   for (const std::string_view c :
        {"libc.so", "libc-", "ld-linux", "libstdc++", "libpthread", "libasan", "libubsan"})
     if (library.compare(0, c.size(), c) == 0) return "";
+  // Debian's C library comes with its sources' places, relative to its own folder.
+  for (const std::string_view folder : {" at ../sysdeps/", " at ./nptl/", " at ./stdlib/", " at ./malloc/",
+                                        " at ./string/", " at ./assert/", " at ./debug/", " at ./libio/"})
+    if (rest.find(folder) != std::string::npos) return "";
   const std::string declaration = rest.substr(0, from);
   if (declaration.compare(0, 2, "??") == 0) return library.empty() ? "?" : "? of " + library;
   // gdb puts a space before the arguments.
@@ -60,9 +64,9 @@ std::vector<std::string> backtrace(const std::vector<std::string>& command, cons
   if (program.empty()) return {};
   std::vector<std::string> words{"gdb", "-batch", "-nx", "-q"};
   for (const char* line :
-       {"set confirm off", "set debuginfod enabled off", "set startup-with-shell off", "set pagination off",
-        "set width 0", "set print frame-arguments none", "set print address on",
-        "handle SIGPIPE nostop noprint pass", "run", "echo \\n=== backtrace\\n", "backtrace 40"}) {
+       {"set confirm off", "set debuginfod enabled off", "set pagination off", "set width 0",
+        "set print frame-arguments none", "set print address on", "handle SIGPIPE nostop noprint pass", "run",
+        "echo \\n=== backtrace\\n", "backtrace 40"}) {
     words.emplace_back("-ex");
     words.emplace_back(line);
   }
@@ -70,6 +74,7 @@ std::vector<std::string> backtrace(const std::vector<std::string>& command, cons
   words.push_back(program);
   words.insert(words.end(), command.begin() + 1, command.end());
   ProcessOptions more = options;
+  more.environment.emplace_back("SHELL=/bin/sh");     // by which gdb starts the command
   more.limits.cpu_s = 2 * options.limits.cpu_s + 10;  // gdb reads the symbols of all libraries first
   more.limits.wall_s = 2 * options.limits.wall_s + 20;
   more.limits.memory_mb = options.limits.memory_mb + 1000;

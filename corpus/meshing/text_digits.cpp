@@ -75,10 +75,11 @@ int coordinate_digits(const std::string& mesh_file, const TetMesh& mesh, const T
 
   std::string path = mesh_file;
   if (ending_of(path) == ".ele") path = path.substr(0, path.size() - 4) + ".node";
-  std::ifstream file(path, std::ios::binary);
-  std::string text(bytes_to_read, '\0');
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return 0;
+  std::string text(std::min(bytes_to_read, static_cast<std::size_t>(file.tellg())), ' ');
+  file.seekg(0);
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.find('\0') != std::string::npos) return 0;
   if (text.size() == bytes_to_read) text.resize(text.find_last_of(" \n\t") + 1);  // no half of a number
   const int most = std::max(6, most_digits(text));

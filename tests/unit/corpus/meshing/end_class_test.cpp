@@ -89,7 +89,7 @@ const std::vector<Case> cases{
             "Error   : No elements in volume 1 \n"),
      "refused-valid", "Error : Invalid boundary mesh (overlapping facets) on surface # surface #"},
     {"Gmsh gives up", exited(1, "Error   : HXT 3D mesh failed\nError   :     0 warnings\n"), "refused",
-     "Error : HXT 3D mesh failed"},
+     "Error : HXT #D mesh failed"},
     {"HXT names a point",
      exited(1,
             "PLC Error:  A segment and a facet intersect at point (0.8,-0.1,1e-05).\nError   : HXT 3D mesh "
