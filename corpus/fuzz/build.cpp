@@ -121,7 +121,8 @@ FuzzSurface build(const Recipe& recipe) {
   const std::string broken = broken_promise(shape, verify::judge_surface(shape.surface));
   if (!broken.empty()) throw InputError(fmt::format("{}: {}", recipe_text(recipe), broken));
   FuzzSurface built{std::move(shape.surface), recipe, shape.components, shape.cavities, shape.genus, {}};
-  built.volume = enclosed_volume(built.surface);
+  const double volume = enclosed_volume(built.surface);
+  if (std::isnormal(volume)) built.volume = volume;  // else no double is near it
   return built;
 }
 

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The modifiers of random surfaces: affine maps with a positive determinant, rounding, and other numbers.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
+#include "corpus/fuzz/decimals.hpp"
 #include "corpus/fuzz/kind.hpp"
-#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {
 namespace {
-
-// x as a decimal number of so many significant digits: text and back, both correctly rounded, so that it is
-// the same on every machine.
-double rounded(double x, int digits) {
-  double value = x;
-  parse_real(fmt::format("{:.{}e}", x, digits - 1), value);
-  return value;
-}
 
 void offset(TriangleSurface& surface, const Numbers& values) {
   const Eigen::Vector3d by(values["x"], values["y"], values["z"]);
@@ -48,7 +38,7 @@ void rotate(TriangleSurface& surface, const Numbers& values) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       turned[i][j] = entries[i][j] / norm;
-      if (digits > 0) turned[i][j] = rounded(turned[i][j], digits);
+      if (digits > 0) turned[i][j] = to_significant_digits(turned[i][j], digits);
     }
   for (Eigen::Vector3d& v : surface.vertices) {
     const Eigen::Vector3d p = v;
@@ -74,7 +64,7 @@ void floats(TriangleSurface& surface, const Numbers&) {
 
 void decimals(TriangleSurface& surface, const Numbers& values) {
   for (Eigen::Vector3d& v : surface.vertices)
-    for (int k = 0; k < 3; ++k) v[k] = rounded(v[k], values.integer("digits"));
+    for (int k = 0; k < 3; ++k) v[k] = to_significant_digits(v[k], values.integer("digits"));
 }
 
 template <class T>

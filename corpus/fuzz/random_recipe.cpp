@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/fuzz/decimals.hpp"
 #include "corpus/fuzz/kind.hpp"
 #include "corpus/fuzz/recipe_rules.hpp"
 #include "corpus/fuzz/unjudged_build.hpp"
 #include "corpus/fuzz_surface.hpp"
 #include "corpus/generators/random.hpp"
-#include "io/bytes/scanner.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {
@@ -28,19 +28,6 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t index, std::uint64_t attem
   return state;
 }
 
-// A decimal number, read as a file's number is: correctly rounded.
-double decimal(const std::string& text) {
-  double value = 0;
-  parse_real(text, value);
-  return value;
-}
-
-// The exponent of the power of ten that is at most x > 0.
-int decimal_exponent(double x) {
-  const std::string text = fmt::format("{:e}", x);
-  return std::stoi(text.substr(text.find('e') + 1));
-}
-
 double draw(const FuzzParameter& p, Random& random) {
   switch (p.draw) {
     case Draw::integer: {
@@ -50,14 +37,14 @@ double draw(const FuzzParameter& p, Random& random) {
     case Draw::seed:
       return p.low + std::floor((p.high - p.low + 1) * random.unit());
     case Draw::share:
-      return decimal(fmt::format("{:.3f}", random.between(p.low, p.high)));
+      return to_decimal_places(random.between(p.low, p.high), 3);
     case Draw::length: {
-      const int lowest = decimal_exponent(p.low), highest = decimal_exponent(p.high);
+      const int lowest = shortest_decimal(p.low).exponent, highest = shortest_decimal(p.high).exponent;
       const int exponent = lowest + random.below(highest - lowest + 1);
       const int digits = 100 + random.below(900);
       // Powers of ten and half of them are what people write.
       const int shown = random.below(3) == 0 ? 100 : random.below(3) == 0 ? 500 : digits;
-      return std::clamp(decimal(fmt::format("{}e{}", shown, exponent - 2)), p.low, p.high);
+      return std::clamp(Decimal{std::to_string(shown), exponent}.value(), p.low, p.high);
     }
   }
   return p.simplest;

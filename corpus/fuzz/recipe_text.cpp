@@ -159,7 +159,8 @@ class Parser {
 
 std::string recipe_text(const Recipe& recipe) {
   std::string inside = values_text(parameters_of(recipe.kind), recipe.values);
-  for (const Recipe& part : recipe.parts) inside += (inside.empty() ? "" : ",") + recipe_text(part);
+  for (const Recipe& part : recipe.parts)
+    inside += fmt::format("{}{}", inside.empty() ? "" : ",", recipe_text(part));
   std::string text = recipe.kind + "(" + inside + ")";
   for (const Modifier& modifier : recipe.modifiers) {
     const FuzzModifier* known = find_modifier(modifier.name);

@@ -1,57 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "corpus/fuzz/decimals.hpp"
 #include "corpus/fuzz/kind.hpp"
 #include "corpus/fuzz_surface.hpp"
-#include "io/bytes/scanner.hpp"
 
 namespace tetproof::corpus {
 namespace {
-
-// A decimal number as its digits and the power of ten of the first one.
-struct Decimal {
-  std::string digits;  // no zeros at the end; empty for 0
-  int exponent = 0;
-  bool negative = false;
-};
-
-Decimal decimal(double x) {
-  Decimal result;
-  result.negative = x < 0;
-  if (x == 0) return result;
-  // The shortest digits that give this double back.
-  std::string text;
-  for (int precision = 0; precision < 17; ++precision) {
-    text = fmt::format("{:.{}e}", std::abs(x), precision);
-    double same = 0;
-    if (parse_real(text, same) && same == std::abs(x)) break;
-  }
-  const std::size_t e = text.find('e');
-  result.exponent = std::atoi(text.c_str() + e + 1);
-  for (char c : text.substr(0, e))
-    if (c != '.') result.digits += c;
-  while (!result.digits.empty() && result.digits.back() == '0') result.digits.pop_back();
-  return result;
-}
-
-double value(const Decimal& x) {
-  if (x.digits.empty()) return 0;
-  double result = 0;
-  parse_real(fmt::format("{}{}.{}e{}", x.negative ? "-" : "", x.digits.substr(0, 1),
-                         x.digits.size() > 1 ? x.digits.substr(1) : "0", x.exponent),
-             result);
-  return result;
-}
 
 // How far a value is from the simplest one.
 std::int64_t cost(const FuzzParameter& p, double x) {
   if (x == p.simplest) return 0;
   if (p.draw == Draw::integer) return static_cast<std::int64_t>(std::abs(x - p.simplest));
-  const Decimal now = decimal(x), goal = decimal(p.simplest);
+  const Decimal now = shortest_decimal(x), goal = shortest_decimal(p.simplest);
   if (p.draw == Draw::seed) return static_cast<std::int64_t>(now.digits.size()) + now.exponent + 1;
   return 1 + static_cast<std::int64_t>(now.digits.size()) + std::abs(now.exponent - goal.exponent) +
          now.negative;
@@ -70,14 +33,14 @@ std::vector<double> simpler_values(const FuzzParameter& p, double x) {
       break;
     case Draw::length:
     case Draw::share: {
-      const Decimal now = decimal(x);
-      const int goal = decimal(p.simplest).exponent;
+      const Decimal now = shortest_decimal(x);
+      const int goal = shortest_decimal(p.simplest).exponent;
       if (now.negative) values.push_back(-x);
       for (const std::size_t digits : {1, 2, 3, 6}) {
         if (digits >= now.digits.size()) break;
         Decimal shorter = now;
         shorter.digits.resize(digits);
-        values.push_back(value(shorter));
+        values.push_back(shorter.value());
       }
       for (const int exponent :
            {now.exponent + (goal - now.exponent) / 2, now.exponent + (goal > now.exponent   ? 1
@@ -85,7 +48,7 @@ std::vector<double> simpler_values(const FuzzParameter& p, double x) {
                                                                                             : 0)}) {
         Decimal nearer = now;
         nearer.exponent = exponent;
-        values.push_back(value(nearer));
+        values.push_back(nearer.value());
       }
       break;
     }

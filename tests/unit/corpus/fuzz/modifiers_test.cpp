@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/fuzz/decimals.hpp"
 #include "corpus/fuzz_surface.hpp"
 #include "io/error.hpp"
 
@@ -70,6 +71,21 @@ TEST(FuzzModifiers, Rounding) {
       std::snprintf(text, sizeof text, "%.2e", v[k]);
       EXPECT_EQ(std::strtod(text, nullptr), v[k]);
     }
+}
+
+TEST(Decimals, RoundTiesToEven) {
+  EXPECT_EQ(to_significant_digits(0.40625, 4), 0.4062);
+  EXPECT_EQ(to_significant_digits(0.40375, 4), 0.4037);  // the double is less than the decimal number
+  EXPECT_EQ(to_significant_digits(-0.46875, 4), -0.4688);
+  EXPECT_EQ(to_significant_digits(2.5, 1), 2);
+  EXPECT_EQ(to_significant_digits(123456, 2), 120000);
+  EXPECT_EQ(to_significant_digits(0, 3), 0);
+  EXPECT_EQ(to_decimal_places(0.0625, 3), 0.062);
+  EXPECT_EQ(to_decimal_places(-12.3456, 3), -12.346);
+  for (const double x : {1.0, 0.1, -1e-300, 123456.789, 5e-324, 1e300, 0.0})
+    EXPECT_EQ(shortest_decimal(x).value(), x);
+  EXPECT_EQ(shortest_decimal(-0.00120).digits, "12");
+  EXPECT_EQ(shortest_decimal(-0.00120).exponent, -3);
 }
 
 TEST(FuzzModifiers, RenumberingKeepsTheTriangles) {
