@@ -112,6 +112,7 @@ constexpr std::array chatter{Words{"mesh generation error summary"},
                              Words{"    1 error"},
                              Words{" errors"},
                              Words{"check the full log"},
+                             Words{"degenerated elements removed"},
                              Words{"0 error"},
                              Words{"bytes of output were cut here"}};
 
