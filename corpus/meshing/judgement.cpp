@@ -39,13 +39,6 @@ const verify::CheckResult* root_failure(const verify::Report& report) {
   return nullptr;
 }
 
-// What the report leaves open.
-std::string open_questions(const verify::Report& report) {
-  for (const verify::NotJudged& open : report.not_judged)
-    return fmt::format("{} not judged: {}", open.what, open.why);
-  return "";
-}
-
 class Judge {
  public:
   Judge(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
@@ -116,10 +109,11 @@ class Judge {
       judgement_.what = root->findings.empty() ? judgement_.signature : root->findings[0].what;
       return false;
     }
-    const std::string open = open_questions(*judgement_.report);
-    if (open.empty()) return true;
+    if (judgement_.report->not_judged.empty()) return true;
+    const verify::NotJudged& open = judgement_.report->not_judged.front();
     judgement_.outcome = Outcome::not_judged;
-    judgement_.signature = judgement_.what = open;
+    judgement_.signature = open.what;
+    judgement_.what = fmt::format("{} not judged: {}", open.what, open.why);
     return false;
   }
 

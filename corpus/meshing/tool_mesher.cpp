@@ -23,8 +23,10 @@
 #include "corpus/meshing/process.hpp"
 #include "corpus/meshing/surface_input.hpp"
 #include "corpus/meshing/text_digits.hpp"
+#include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
+#include "io/tetgen/tetgen.hpp"
 
 namespace tetproof::corpus {
 
@@ -171,6 +173,11 @@ class ToolMesher : public Mesher {
       return fail(Outcome::unreadable, "out of memory while reading",
                   "the file asks for more memory than there is");
     }
+    // Other readers take what the first line announces, and see another mesh than its writer.
+    for (const Loss& loss : run.document->dropped)
+      if (loss.item == io::lines_behind_those_announced)
+        return fail(Outcome::unreadable, loss.item,
+                    fmt::format("{}: {}", tool_.mesh_file, io::counted(loss.count, loss.item)));
     if (run.mesh.tets.empty())
       return fail(Outcome::no_tetrahedra, "no tetrahedra",
                   fmt::format("exit code 0, and {} has {} points and no tetrahedra", tool_.mesh_file,

@@ -43,6 +43,9 @@
 
 namespace tetproof::io {
 
+/// The item of `Document::dropped` for a file that goes on behind the lines that its first line announces.
+inline constexpr const char* lines_behind_those_announced = "lines behind those that a file announces";
+
 /// Reads the file and all others of its set that are there. The numbers of the nodes must count up from 0 or
 /// 1; a number that no node has is kept as such. InputError for standard input, which is one file only.
 ReadDocument read_tetgen(const InputFile& file, Wanted wanted);

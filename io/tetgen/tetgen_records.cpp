@@ -9,6 +9,7 @@
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
+#include "io/tetgen/tetgen.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -108,7 +109,7 @@ void Records::end_file(bool elements) {
   const std::string first = place();
   std::size_t lines = 1;
   while (next()) ++lines;
-  add_loss(document_.dropped, "lines behind those that a file announces", lines, first, elements);
+  add_loss(document_.dropped, lines_behind_those_announced, lines, first, elements);
 }
 
 void Records::other_number(const char* what, std::int64_t number, std::int64_t counted, const char* item) {
