@@ -96,7 +96,8 @@ std::string give_surface(const AtomicFolder& to, const FindingFacts& facts, cons
       if (entry.is_regular_file() && starts_with_stem(entry.path(), "surface") &&
           (facts.run.mesh_file.empty() || mesh_stem == "surface" ||
            !starts_with_stem(entry.path(), mesh_stem)) &&
-          entry.path().filename() != fs::path(facts.run.mesh_file).filename())
+          entry.path().filename() != fs::path(facts.run.mesh_file).filename() &&
+          !fs::exists(to / entry.path().filename().string()))  // surface.off, for a mesher that reads OFF
         fs::copy_file(entry.path(), to / entry.path().filename().string());
   if (fs::exists(to / name)) return name;
   const auto known = known_endings();
