@@ -99,6 +99,7 @@ CampaignResult run(const FuzzArguments& a, const program::Common& common) {
 
 void check_usage(const FuzzArguments& a) {
   for (const std::string& id : a.judge.check) verify::check_of_id(id);
+  random_recipe(a.seed, 0, a.surfaces);  // throws for unknown kinds and modifiers
   if (a.shrink_s > 0 && a.out.empty()) throw InputError("--shrink needs --out DIR");
   if (!a.merge.empty() && (!a.replay.empty() || !a.mesher.command.empty() || !a.mesher.presets.empty()))
     throw InputError("--merge runs nothing: leave --replay, --mesher and COMMAND out");
