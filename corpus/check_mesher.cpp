@@ -64,12 +64,12 @@ std::string indented(const std::string& text) {
   return result + "\n";
 }
 
-// What is wrong, in as much detail as there is.
+// What is wrong, in as much detail as there is; with the indices of the TetMesh that the function gave.
 std::string words_of(const JudgedRun& judged) {
   const Judgement& judgement = judged.judgement;
   std::string text = fmt::format("{}: {}", name_of(judgement.outcome), judgement.signature);
   if (!judgement.report) return text + (judgement.what == judgement.signature ? "" : "\n" + judgement.what);
-  return text + "\n" + verify::failure_text(*judgement.report, judged.run.numbering);
+  return text + "\n" + verify::failure_text(*judgement.report);
 }
 
 // The findings on a group's smallest surface; those of the campaign if it does not fail again.

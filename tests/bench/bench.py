@@ -14,6 +14,7 @@ import sys
 import adapt
 import distances
 import formats
+import fuzz
 import judge
 import surfaces
 from measure import Command, Failed, measure
@@ -26,15 +27,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3, help="runs of every command, of which the median counts; 3")
     parser.add_argument("--cores", default=None, help="cores to run on, as in 0 or 0,1; all")
-    parser.add_argument("--only", default="skull,torus,growth,verify,judge,fans,distances,hot,adapt,formats",
-                        help="of skull,torus,growth,verify,judge,fans,distances,hot,adapt,formats")
+    parser.add_argument("--only", default="skull,torus,growth,verify,judge,fans,distances,hot,adapt,formats,fuzz",
+                        help="of skull,torus,growth,verify,judge,fans,distances,hot,adapt,formats,fuzz")
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), help="where the programs are; build")
     parser.add_argument("--out", default=os.path.join(ROOT, "out", "bench"), help="where files go; out/bench")
     arguments = parser.parse_args()
     bench = Bench(arguments)
     sections = {"skull": bench.skull, "torus": bench.torus, "growth": bench.growth, "verify": bench.verify, "judge": bench.judge, "fans": bench.fans,
                 "distances": lambda: distances.distances(bench), "hot": bench.hot,
-                "adapt": bench.adapt, "formats": bench.formats}
+                "adapt": bench.adapt, "formats": bench.formats, "fuzz": lambda: fuzz.fuzz(bench)}
     chosen = arguments.only.split(",")
     for name in chosen:
         if name not in sections:
