@@ -34,16 +34,16 @@ MERGED = ("wrong-answer:(duplicate-tet|inverted|overlap|flat|nonconforming.*)|no
           "wrong-against-surface:(missing-region|excess-region|topology|volume-surface|boundary-nonmanifold-(vertex|edge)|"
           "off-surface-vertex|surface-to-mesh|mesh-to-surface)")
 BUGS = {
-    "drop": Bug("wrong-against-surface", "wrong-against-surface:(missing-region|off-surface-vertex|topology|volume-surface)", 8),
+    "drop": Bug("wrong-against-surface", "wrong-against-surface:(missing-region|off-surface-vertex|topology|volume-surface|mesh-to-surface)", 8),
     "invert": Bug("wrong-answer", "wrong-answer:inverted", 60, 300, 400),
     "flat": Bug("wrong-answer", "wrong-answer:flat", 8),
     "duplicate": Bug("wrong-answer", "wrong-answer:duplicate-tet", 8),
     "merge": Bug("wrong-answer", MERGED, 20),
-    "move": Bug("wrong-against-surface", "wrong-against-surface:(off-surface-vertex|excess-region|missing-region|surface-to-mesh)", 8),
-    "crack": Bug("wrong-answer", "wrong-answer:.*", 20, 6, 0, ["--repeat", "10"], 200),
+    "move": Bug("wrong-against-surface", "wrong-against-surface:(off-surface-vertex|excess-region|missing-region|surface-to-mesh|mesh-to-surface|volume-surface)", 8),
+    "crack": Bug("wrong-answer", "wrong-answer:.*", 20, 15, 100, ["--repeat", "10"], 200),
     "nan": Bug("wrong-answer", "wrong-answer:finite-coordinates", 8),
     "shift": Bug("wrong-answer", "wrong-answer:.*", 8),
-    "cavity": Bug("wrong-against-surface", "wrong-answer:overlap|wrong-against-surface:excess-region", 16, 70),
+    "cavity": Bug("wrong-against-surface", "wrong-answer:overlap|wrong-against-surface:(excess-region|topology)", 16, 70),
     "empty": Bug("no-tetrahedra", "no-tetrahedra:no tetrahedra", 8),
     "nothing": Bug("no-output", "no-output:no file", 8),
     "truncate": Bug("unreadable", r"unreadable:mesh\.msh.*", 20),
