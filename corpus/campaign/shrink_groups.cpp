@@ -139,12 +139,13 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
                     .failed = counted.failed,
                     .steps = smaller.steps,
                     .recipe = smaller.recipe,
-                    .calls = reproduction.calls()};
+                    .calls = reproduction.calls(),
+                    .asked_s = options.shrink_s};
   if (counted.failed > 0) {
     record.folder = finding_folder(record.group, smallest, options.seed);
     const std::string place = options.folder + "/" + record.folder;
     std::filesystem::create_directories(options.folder + "/findings");
-    std::filesystem::remove_all(place);  // written by a run that was killed before the journal knew of it
+    std::filesystem::remove_all(place);  // of a run that was killed, or that shrank less
     write_finding(place, {.seed = options.seed,
                           .index = smallest.index,
                           .original = original.made(),
@@ -199,7 +200,8 @@ void shrink_groups(const std::vector<const Mesher*>& meshers, const CampaignOpti
     const std::string id = group.id();
     const CaseResult& smallest = group.cases.front();
     const bool done = std::any_of(shrunk.begin(), shrunk.end(), [&](const ShrunkCase& one) {
-      return std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher);
+      return std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher) &&
+             one.asked_s >= options.shrink_s;
     });
     if (group.known || done) continue;
     const auto mesher = std::find_if(meshers.begin(), meshers.end(),
