@@ -103,6 +103,8 @@ struct ShrunkCase {
   std::string folder{};           ///< of the finding, inside the campaign's folder; empty: none
   std::int64_t calls = 0;         ///< of the mesher, for shrinking
   double seconds = 0;
+  double asked_s =
+      0;  ///< wall time that shrinking was allowed [s]; a campaign that allows more shrinks again
 };
 
 struct CampaignResult {

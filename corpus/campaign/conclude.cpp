@@ -34,11 +34,10 @@ CampaignResult conclude(CampaignSettings settings, std::vector<CaseResult> cases
     const std::string id = group.id();
     seen.insert(id);
     const CaseResult& smallest = group.cases.front();
-    for (ShrunkCase& one : shrunk)
-      if (std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher)) {
-        result.shrunk.push_back(std::move(one));
-        break;
-      }
+    const auto last = std::find_if(shrunk.rbegin(), shrunk.rend(), [&](const ShrunkCase& one) {
+      return std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher);
+    });
+    if (last != shrunk.rend()) result.shrunk.push_back(std::move(*last));
   }
   if (settings.shards == 1) {
     const std::set<std::string> sorted(known.begin(), known.end());

@@ -74,7 +74,8 @@ std::string line_of(const ShrunkCase& s) {
                {"recipe", s.recipe},
                {"folder", s.folder},
                {"calls", s.calls},
-               {"seconds", s.seconds}});
+               {"seconds", s.seconds},
+               {"asked_s", s.asked_s}});
 }
 
 bool is_header(const Json& json) {
@@ -127,6 +128,7 @@ ShrunkCase shrunk_of(const Json& json) {
   json.at("folder").get_to(s.folder);
   json.at("calls").get_to(s.calls);
   json.at("seconds").get_to(s.seconds);
+  s.asked_s = json.value("asked_s", 0.0);
   return s;
 }
 

@@ -21,6 +21,9 @@
 namespace tetproof::corpus {
 namespace {
 
+// If a failure does not occur again in so many runs, it is given up.
+constexpr int most_runs = 20;
+
 // Runs one mesher on surfaces, and looks for one outcome with one signature.
 class Reproduction {
  public:
@@ -31,6 +34,21 @@ class Reproduction {
         options_(options),
         scratch_(scratch),
         runs_(runs_to_fail(group.cases.front().failed, group.cases.front().repeats)) {}
+
+  // How often the original fails decides how often each candidate is run. A single failing run tells nothing:
+  // a mesher with a damaged heap is not deterministic, whatever its preset says.
+  void measure(const TriangleSurface& original) {
+    constexpr int least = 5;
+    const verify::JudgedSurface judged(original);
+    const int before = group_.cases.front().repeats > 1 ? group_.cases.front().failed : 0;
+    int runs = before > 0 ? group_.cases.front().repeats : 0, failed = before;
+    for (; runs < least || (failed == 0 && runs < most_runs); ++runs) {
+      const ScratchFolder folder(fmt::format("{}/shrink-{}", scratch_, calls_.fetch_add(1)));
+      failed +=
+          is_it(run_and_judge(mesher_, judged, folder.path(), options_.limits, options_.judge).judgement);
+    }
+    runs_ = std::max(runs_, failed > 0 ? runs_to_fail(failed, runs) : most_runs);
+  }
 
   // Whether it fails in one of as many runs as it takes.
   bool fails(const TriangleSurface& surface) {
@@ -57,8 +75,8 @@ class Reproduction {
     const verify::JudgedSurface judged(surface);
     Count counted;
     // At least as many as it takes to see it: "0 of 1" would say little of one that fails now and then.
-    for (const int runs = std::max(runs_, repeats_of(mesher_, options_.repeats)); counted.repeats < runs;
-         ++counted.repeats) {
+    for (const int runs = std::max(runs_, repeats_of(mesher_, options_.repeats));
+         counted.repeats < runs || (counted.failed == 0 && counted.repeats < most_runs); ++counted.repeats) {
       auto folder =
           std::make_unique<ScratchFolder>(fmt::format("{}/shrink-{}", scratch_, calls_.fetch_add(1)));
       JudgedRun one = run_and_judge(mesher_, judged, folder->path(), options_.limits, options_.judge);
@@ -125,7 +143,10 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
   const CertifiedSurface original(options, smallest.index);
   Reproduction reproduction(mesher, group, options, scratch);
   Smaller smaller{original.made().surface, original.recipe()};
-  if (options.shrink_s > 0) smaller = shrink(original.made(), reproduction, options);
+  if (options.shrink_s > 0) {
+    reproduction.measure(original.made().surface);
+    smaller = shrink(original.made(), reproduction, options);
+  }
   Reproduction::Count counted = reproduction.count(smaller.surface);
   if (counted.failed == 0 && !smaller.steps.empty()) {
     smaller = {original.made().surface, original.recipe()};
@@ -139,12 +160,13 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
                     .failed = counted.failed,
                     .steps = smaller.steps,
                     .recipe = smaller.recipe,
-                    .calls = reproduction.calls()};
+                    .calls = reproduction.calls(),
+                    .asked_s = options.shrink_s};
   if (counted.failed > 0) {
     record.folder = finding_folder(record.group, smallest, options.seed);
     const std::string place = options.folder + "/" + record.folder;
     std::filesystem::create_directories(options.folder + "/findings");
-    std::filesystem::remove_all(place);  // written by a run that was killed before the journal knew of it
+    std::filesystem::remove_all(place);  // of a run that was killed, or that shrank less
     write_finding(place, {.seed = options.seed,
                           .index = smallest.index,
                           .original = original.made(),
@@ -199,7 +221,8 @@ void shrink_groups(const std::vector<const Mesher*>& meshers, const CampaignOpti
     const std::string id = group.id();
     const CaseResult& smallest = group.cases.front();
     const bool done = std::any_of(shrunk.begin(), shrunk.end(), [&](const ShrunkCase& one) {
-      return std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher);
+      return std::tie(one.group, one.index, one.mesher) == std::tie(id, smallest.index, smallest.mesher) &&
+             one.asked_s >= options.shrink_s;
     });
     if (group.known || done) continue;
     const auto mesher = std::find_if(meshers.begin(), meshers.end(),

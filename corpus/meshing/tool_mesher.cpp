@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -140,10 +141,14 @@ class ToolMesher : public Mesher {
   int repeats() const override { return tool_.repeats; }
 
  private:
-  /// "SIGSEGV in f < g < h": the innermost three frames of the program's own.
+  /// "SIGSEGV in f < g < h": the innermost three frames of the program's own that have a name. Frames without
+  /// one are named if there are no others.
   static void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options,
                             EndClass& end) {
-    const std::vector<std::string> frames = backtrace(command, options);
+    std::vector<std::string> frames = backtrace(command, options);
+    const auto is_named = [](const std::string& frame) { return frame[0] != '?'; };
+    if (std::any_of(frames.begin(), frames.end(), is_named))
+      std::erase_if(frames, [&](const std::string& frame) { return !is_named(frame); });
     for (std::size_t i = 0; i < frames.size() && i < 3; ++i)
       end.signature += (i == 0 ? " in " : " < ") + frames[i];
   }

@@ -71,7 +71,7 @@ const std::vector<Case> cases{
             "vector::_M_range_check: __n (which is 18) >= this->size()\n"),
      "crashed", "uncaught std::out_of_range: vector::_M_range_check: __n (which is #) >= this->size()"},
     {"the heap", killed(SIGABRT, "double free or corruption (out)\n"), "crashed",
-     "double free or corruption (out)"},
+     "heap corruption"},
     {"a signal", killed(SIGSEGV, "Info : 3D\n"), "crashed", "SIGSEGV"},
     {"a signal through a shell", exited(139, "Segmentation fault\n"), "crashed", "SIGSEGV"},
     {"AddressSanitizer",
@@ -124,6 +124,19 @@ TEST(EndClass, WordsOfACrashBeforeASuccessAreNone) {
   EXPECT_FALSE(classify_end(exited(0, "caught signal handler installed\nfree(): is fine\n")).failure);
 }
 
+// Which words the C library has for a damaged heap differs from run to run.
+TEST(EndClass, ADamagedHeapIsOneSignature) {
+  for (const char* words :
+       {"corrupted size vs. prev_size\n", "free(): invalid size\n",
+        "malloc(): unaligned tcache chunk detected\n", "munmap_chunk(): invalid pointer\n"}) {
+    const EndClass found = classify_end(killed(SIGABRT, words));
+    EXPECT_EQ(found.failure, Outcome::crashed);
+    EXPECT_EQ(found.signature, "heap corruption") << words;
+    EXPECT_EQ(found.message + "\n", words);
+    EXPECT_FALSE(found.wants_backtrace);
+  }
+}
+
 TEST(EndClass, LimitsComeFirst) {
   ProcessEnd end = killed(SIGKILL, "Error: self-intersecting\n");
   end.limit = Limit::cpu;
@@ -134,7 +147,7 @@ TEST(EndClass, LimitsComeFirst) {
 
 TEST(EndClass, AsksForABacktraceWhereWordsDoNotSayThePlace) {
   EXPECT_TRUE(classify_end(killed(SIGSEGV, "")).wants_backtrace);
-  EXPECT_TRUE(classify_end(killed(SIGABRT, "free(): invalid pointer\n")).wants_backtrace);
+  EXPECT_TRUE(classify_end(killed(SIGABRT, "stack smashing detected\n")).wants_backtrace);
   EXPECT_FALSE(classify_end(killed(SIGABRT, "a: b.c:1: f: Assertion `x' failed.\n")).wants_backtrace);
 }
 
