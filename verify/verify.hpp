@@ -58,6 +58,9 @@ struct Options {
   /// more closely, and normals are skipped: they would take a tenth of the time that making such a mesh
   /// takes, and tell its maker nothing new.
   bool coarse = false;
+  /// The distances are compared with the allowed one, and not measured: the search ends as soon as it is
+  /// decided, and the intervals in the report may be wide. For whoever asks for the verdict alone.
+  bool decide_only = false;
   std::vector<std::string> check, skip;  ///< ids; `check` empty: all
   /// Ids of checks whose findings are meant, so that they and what follows from them do not fail: "crack" and
   /// "non-conforming-interface", for models of fracture and contact. They remain in the report as warnings.

@@ -47,6 +47,7 @@ class Judge {
     options_.check = asked.check;
     options_.quality = false;
     options_.voxels = 0;
+    options_.decide_only = true;
     if (run.document) {
       TetRegions regions = tet_regions(*run.document);
       options_.regions = std::move(regions.of_tet);

@@ -166,11 +166,12 @@ DistanceEvidence measure_distances(const Comparison& c, Record& record) {
   const Options& options = c.judged_mesh.options;
   DistanceQuestion question{
       .options = {.error = options.fidelity > 0 ? c.allowed / 10 : 1e-4 * c.mesh_tree->units().diagonal,
-                  .relative = options.coarse ? 0 : 0.2,
+                  .relative = options.coarse || options.decide_only ? 0 : 0.2,
                   .most_pieces = 2'000'000 + 30 * static_cast<std::int64_t>(c.mesh_tree->size() +
                                                                             c.surface_tree->size())},
       .allowed = c.allowed,
-      .only_decide = options.coarse,
+      .only_decide = options.coarse || options.decide_only,
+      .stop_if_larger = options.decide_only,
       .far_share = 1e-3,
       .nearest_within = c.allowed,
       .deadline = options.deadline};

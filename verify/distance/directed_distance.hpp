@@ -21,6 +21,9 @@ struct DistanceQuestion {
   /// With `allowed`: decide, and do nothing else. The interval may then be as wide as `allowed`. Its lower
   /// end comes from every eighth triangle of A and from the triangles that the decision needed.
   bool only_decide = false;
+  /// With `only_decide`: end as soon as the distance is known to be larger. The upper end of the interval may
+  /// then be far from it.
+  bool stop_if_larger = false;
   /// With `allowed`: once the distance is known to be larger than allowed, the interval may be as wide as
   /// this share of it, even where that is more than `options.error`.
   double far_share = 0;

@@ -149,9 +149,12 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
     result.nearest = first.close;
   }
 
+  const auto is_over = [&] {
+    return question.only_decide && question.stop_if_larger && lower * scale > question.allowed.value();
+  };
   for (;;) {
     std::vector<PieceWork> works;
-    for (std::size_t t = 0; t < a.size(); ++t) {
+    for (std::size_t t = 0; t < a.size() && !is_over(); ++t) {
       if (upper_of[t] <= wanted.bound(lower, 0)) continue;
       PieceWork work{.triangle = static_cast<Index>(t), .lower = lower};
       Piece piece{.guess = first_looks[t].close};
@@ -163,7 +166,8 @@ DirectedDistance directed_distance(const TriangleTree& a, const TriangleTree& b,
     // of the threads. A triangle that needs much work waits until the others have had their turn.
     std::vector<std::size_t> open(works.size());
     for (std::size_t i = 0; i < works.size(); ++i) open[i] = i;
-    for (std::int64_t budget = 8; !open.empty() && result.pieces < options.most_pieces; budget *= 4) {
+    for (std::int64_t budget = 8; !open.empty() && result.pieces < options.most_pieces && !is_over();
+         budget *= 4) {
       const PieceSearch search(b, lower, wanted);
       const std::size_t part = budget > 1000 ? 1 : 32;
       tbb::parallel_for(std::size_t{0}, (open.size() + part - 1) / part, [&](std::size_t c) {

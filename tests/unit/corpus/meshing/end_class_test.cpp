@@ -70,8 +70,7 @@ const std::vector<Case> cases{
             "terminate called after throwing an instance of 'std::out_of_range'\n  what():  "
             "vector::_M_range_check: __n (which is 18) >= this->size()\n"),
      "crashed", "uncaught std::out_of_range: vector::_M_range_check: __n (which is #) >= this->size()"},
-    {"the heap", killed(SIGABRT, "double free or corruption (out)\n"), "crashed",
-     "heap corruption"},
+    {"the heap", killed(SIGABRT, "double free or corruption (out)\n"), "crashed", "heap corruption"},
     {"a signal", killed(SIGSEGV, "Info : 3D\n"), "crashed", "SIGSEGV"},
     {"a signal through a shell", exited(139, "Segmentation fault\n"), "crashed", "SIGSEGV"},
     {"AddressSanitizer",

@@ -47,6 +47,30 @@ TEST(Fidelity, TheSameFacesCutOtherwiseAreInsideRounding) {
   for (const Check check : all_distances) EXPECT_EQ(near[check].verdict, Verdict::pass) << info(check).id;
 }
 
+// Whoever asks for the verdict alone gets the same one, and intervals that still hold.
+TEST(Fidelity, DecideOnlyGivesTheSameVerdicts) {
+  const TriangleSurface surface = boundary_surface(lattice_mesh({3, 3, 3}));  // its diagonal is 5.2
+  for (const double raised : {0.0, 1e-12, 1e-4, 4e-3, 6e-3, 0.02, 0.5})
+    for (const double fidelity : {1e-9, 1e-3, 0.05}) {
+      TetMesh mesh = lattice_mesh({3, 3, 3});
+      mesh.points[static_cast<std::size_t>(point_at(mesh, {1, 1, 3}))].z() += raised;
+      verify::Options options{.region = Region::inside, .fidelity = fidelity, .voxels = 0};
+      const Report measured = verify::verify(mesh, surface, options);
+      options.decide_only = true;
+      const Report decided = verify::verify(mesh, surface, options);
+      for (const Check check : all_distances) {
+        EXPECT_EQ(decided[check].verdict, measured[check].verdict)
+            << info(check).id << " raised by " << raised << ", fidelity " << fidelity;
+        EXPECT_EQ(decided[check].count, measured[check].count) << info(check).id;
+      }
+      ASSERT_TRUE(decided.fidelity && measured.fidelity);
+      EXPECT_LE(*decided.fidelity->mesh_to_surface,
+                *measured.fidelity->mesh_to_surface + measured.fidelity->error_bound);
+      EXPECT_GE(*decided.fidelity->mesh_to_surface + decided.fidelity->error_bound,
+                *measured.fidelity->mesh_to_surface);
+    }
+}
+
 TEST(Fidelity, AVertexOffTheSurfaceIsTheRoot) {
   TetMesh mesh = lattice_mesh({3, 3, 3});
   const TriangleSurface surface = boundary_surface(mesh);
