@@ -162,6 +162,12 @@ bool is_crash(int signal) {
 
 }  // namespace
 
+void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options, EndClass& end) {
+  const std::vector<std::string> frames = backtrace(command, options);
+  for (std::size_t i = 0; i < frames.size() && i < 3; ++i)
+    end.signature += (i == 0 ? " in " : " < ") + frames[i];
+}
+
 std::string signal_name(int signal) {
   const char* name = ::sigabbrev_np(signal);
   return name ? std::string("SIG") + name : "signal " + std::to_string(signal);
