@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 // A value for one line of text. Long lists (the meshers) are compared piece by piece before they come here.
 std::string shown(const Json& value) {
-  return value.is_string() ? "'" + value.get<std::string>() + "'"
+  return value.is_string() ? fmt::format("'{}'", value.get<std::string>())
                            : value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -149,7 +149,7 @@ std::string replay_command(const CampaignSettings& s, std::uint64_t index, const
   list("--check", s.judge.check);
   for (const MesherFacts& facts : s.meshers)
     if (facts.name == mesher && !facts.words.empty()) {
-      for (const std::string& word : facts.words) line += " " + shell_word(word);
+      for (const std::string& word : facts.words) line += fmt::format(" {}", shell_word(word));
       return line;
     }
   return "";

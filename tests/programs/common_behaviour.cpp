@@ -165,6 +165,7 @@ TEST(LinkedLibraries, OnlyWhatTheJobNeeds) {
        std::vector<Case>{{"tetproof-mesh", {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb"}},
                          {"tetproof-verify", {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb"}},
                          {"tetproof-compare", {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb"}},
+                         {"tetproof-fuzz", {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb"}},
                          {"tetproof-convert",
                           {"libgmsh", "libvtk", "libtet.", "libgtest", "libopenvdb", "libgmp", "libmpfr"}}}) {
     SCOPED_TRACE(c.program);
