@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <thread>
 
 #include "corpus/campaign/case_run.hpp"
 #include "corpus/campaign/certified_surface.hpp"
 #include "corpus/campaign/conclude.hpp"
 #include "corpus/campaign/journal.hpp"
 #include "corpus/campaign/settings.hpp"
+#include "corpus/campaign/share_work.hpp"
 #include "corpus/campaign/shrink_groups.hpp"
 #include "corpus/fuzz_campaign.hpp"
 #include "io/error.hpp"
@@ -62,44 +61,23 @@ class Campaign {
         done_.emplace(result.index, result.mesher);
         cases_.push_back(result);
       }
-    next_ = options.shard;
   }
 
   std::vector<CaseResult> run() {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const int threads = options_.threads > 0 ? options_.threads : static_cast<int>(cores);
-    {
-      std::vector<std::jthread> workers;
-      for (int t = 1; t < threads; ++t) workers.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    share_work({.first = options_.shard, .end = options_.cases, .step = options_.shards}, options_.threads,
+               [this](std::uint64_t index, const std::atomic<bool>& stop) { run_surface(index, stop); });
     return std::move(cases_);
   }
 
  private:
-  void work() {
-    try {
-      while (!stop_) {
-        const std::uint64_t index = next_.fetch_add(options_.shards);
-        if (index >= options_.cases) return;
-        run_surface(index);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      stop_ = true;
-    }
-  }
-
-  void run_surface(std::uint64_t index) {
+  void run_surface(std::uint64_t index, const std::atomic<bool>& stop) {
     std::vector<const Mesher*> to_do;
     for (const Mesher* mesher : meshers_)
       if (!done_.contains({index, mesher->name()})) to_do.push_back(mesher);
     if (to_do.empty()) return;
     const CertifiedSurface made(options_, index);
     const std::string recipe = made.recipe();
-    for (std::size_t m = 0; m < to_do.size() && !stop_; ++m) {
+    for (std::size_t m = 0; m < to_do.size() && !stop; ++m) {
       const std::string folder = fmt::format("{}/{}", scratch_, mesher_number(*to_do[m]));
       CaseResult result = run_case(*to_do[m], made.judged(), index, folder, options_);
       result.recipe = recipe;
@@ -123,11 +101,8 @@ class Campaign {
   Journal* journal_;
   std::string scratch_;
   std::set<std::pair<std::uint64_t, std::string>> done_;
-  std::atomic<std::uint64_t> next_{0};
-  std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::vector<CaseResult> cases_;
-  std::exception_ptr failure_;
 };
 
 }  // namespace

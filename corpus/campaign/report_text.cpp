@@ -6,18 +6,12 @@
 
 #include "corpus/campaign/settings.hpp"
 #include "corpus/campaign/tallies.hpp"
+#include "corpus/campaign/text_table.hpp"
 #include "corpus/fuzz_campaign.hpp"
 #include "io/bytes/words.hpp"
 
 namespace tetproof::corpus {
 namespace {
-
-// A terminal must not take what a mesher printed for commands.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
-  return text;
-}
 
 // The outcomes that get a column: those that occur, and always these three, because "none of them" is said.
 std::vector<Outcome> columns_of(const CampaignResult& result) {
@@ -31,18 +25,14 @@ std::vector<Outcome> columns_of(const CampaignResult& result) {
 }
 
 std::string table(const char* head, const std::vector<TallyRow>& rows, const std::vector<Outcome>& columns) {
-  std::size_t width = std::string_view(head).size();
-  for (const auto& [name, tally] : rows) width = std::max(width, name.size());
-  std::string text = fmt::format("{:<{}}  {:>7}", head, width, "cases");
-  for (const Outcome outcome : columns) text += fmt::format("  {}", name_of(outcome));
-  text += "\n";
+  std::vector<std::vector<std::string>> cells{{head, "cases"}};
+  for (const Outcome outcome : columns) cells[0].push_back(name_of(outcome));
   for (const auto& [name, tally] : rows) {
-    text += fmt::format("{:<{}}  {:>7}", printable(name), width, tally.cases());
-    for (const Outcome outcome : columns)
-      text += fmt::format("  {:>{}}", tally.count(outcome), std::string_view(name_of(outcome)).size());
-    text += "\n";
+    std::vector<std::string>& row = cells.emplace_back();
+    row = {name, std::to_string(tally.cases())};
+    for (const Outcome outcome : columns) row.push_back(std::to_string(tally.count(outcome)));
   }
-  return text + "\n";
+  return text_table(cells) + "\n";
 }
 
 // "tetgen,pq 5, tetgen,pY 2".

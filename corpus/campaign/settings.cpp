@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "corpus/meshing/command_words.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::corpus {
@@ -127,20 +128,6 @@ std::string differences(const CampaignSettings& there, const CampaignSettings& w
   compare(a, b, "", found);
   compare_meshers(there, wanted, found);
   return fmt::format("{}", fmt::join(found, "; "));
-}
-
-std::string shell_word(const std::string& word) {
-  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+,./:@%{}";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'')
-      quoted += "'\\''";
-    else
-      quoted += c;
-  }
-  quoted += '\'';
-  return quoted;
 }
 
 std::string replay_command(const CampaignSettings& s, std::uint64_t index, const std::string& mesher) {

@@ -27,9 +27,6 @@ std::string differences(const CampaignSettings& there, const CampaignSettings& w
 /// The command line of tetproof-fuzz that runs one case again.
 std::string replay_command(const CampaignSettings& settings, std::uint64_t index, const std::string& mesher);
 
-/// A word as a shell takes it: in quotes where it needs them.
-std::string shell_word(const std::string& word);
-
 /// What a group names as its mesher: the preset without the variant.
 std::string preset_of(const std::string& mesher);
 

@@ -162,6 +162,16 @@ bool is_crash(int signal) {
 
 }  // namespace
 
+void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options, EndClass& end) {
+  std::vector<std::string> frames = backtrace(command, options);
+  // Frames without a name tell little: they count only where there are no others.
+  const auto is_named = [](const std::string& frame) { return frame[0] != '?'; };
+  if (std::any_of(frames.begin(), frames.end(), is_named))
+    std::erase_if(frames, [&](const std::string& frame) { return !is_named(frame); });
+  for (std::size_t i = 0; i < frames.size() && i < 3; ++i)
+    end.signature += (i == 0 ? " in " : " < ") + frames[i];
+}
+
 std::string signal_name(int signal) {
   const char* name = ::sigabbrev_np(signal);
   return name ? std::string("SIG") + name : "signal " + std::to_string(signal);

@@ -23,6 +23,10 @@ struct EndClass {
 
 EndClass classify_end(const ProcessEnd& end);
 
+/// Runs a command that crashed once more under gdb, as `options` say, and adds the innermost three frames of
+/// the program's own to the signature: "SIGSEGV in f < g < h". Without gdb it stays as it is.
+void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options, EndClass& end);
+
 /// "SIGSEGV" for 11.
 std::string signal_name(int signal);
 

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/meshing/command_words.hpp"
 #include "corpus/meshing/end_class.hpp"
 #include "corpus/meshing/output_lines.hpp"
 #include "corpus/meshing/process.hpp"
@@ -57,13 +58,6 @@ double volume(const TriangleSurface& surface) {
   return std::abs(six) / 6;
 }
 
-std::string replaced(std::string text, const std::vector<std::pair<std::string, std::string>>& values) {
-  for (const auto& [name, value] : values)
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size())
-      text.replace(at, name.size(), value);
-  return text;
-}
-
 /// A mesh of an earlier run must not be taken for this one's.
 void remove_old(const std::string& mesh) {
   std::error_code ignored;
@@ -89,15 +83,13 @@ class ToolMesher : public Mesher {
     run.given = input.given;
     const double box = diagonal(surface);
     const auto number = [](double value) { return fmt::format("{:.6g}", value); };
-    const std::vector<std::pair<std::string, std::string>> values{
-        {"{surface}", input.files[0]},
-        {"{mesh}", run.mesh_file},
-        {"{box}", number(box)},
-        {"{size}", number(box / 12)},
-        {"{distance}", number(box * 4e-4)},
-        {"{volume}", number(volume(surface) / 200)}};
-    std::vector<std::string> command;
-    for (const std::string& word : tool_.words) command.push_back(replaced(word, values));
+    const Placeholders values{{"{surface}", input.files[0]},
+                              {"{mesh}", run.mesh_file},
+                              {"{box}", number(box)},
+                              {"{size}", number(box / 12)},
+                              {"{distance}", number(box * 4e-4)},
+                              {"{volume}", number(volume(surface) / 200)}};
+    std::vector<std::string> command = replaced(tool_.words, values);
     if (!tool_.program.empty()) command[0] = tool_.program;
 
     ProcessOptions options;
@@ -125,15 +117,7 @@ class ToolMesher : public Mesher {
   }
 
   std::string name() const override { return tool_.name; }
-  std::string command() const override {
-    std::string text;
-    for (const std::string& word : tool_.words) {
-      const bool plain = !word.empty() && word.find_first_of(" \t\"'\\$*?;&|<>()`#~") == std::string::npos;
-      if (!text.empty()) text += ' ';
-      text += plain ? word : fmt::format("'{}'", replaced(word, {{"'", "'\\''"}}));
-    }
-    return text;
-  }
+  std::string command() const override { return command_line(tool_.words); }
   std::string version() const override { return tool_.version; }
   std::string surface_ending() const override { return tool_.surface_ending; }
   bool may_change_boundary() const override { return tool_.may_change_boundary; }
@@ -141,18 +125,6 @@ class ToolMesher : public Mesher {
   int repeats() const override { return tool_.repeats; }
 
  private:
-  /// "SIGSEGV in f < g < h": the innermost three frames of the program's own that have a name. Frames without
-  /// one are named if there are no others.
-  static void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options,
-                            EndClass& end) {
-    std::vector<std::string> frames = backtrace(command, options);
-    const auto is_named = [](const std::string& frame) { return frame[0] != '?'; };
-    if (std::any_of(frames.begin(), frames.end(), is_named))
-      std::erase_if(frames, [&](const std::string& frame) { return !is_named(frame); });
-    for (std::size_t i = 0; i < frames.size() && i < 3; ++i)
-      end.signature += (i == 0 ? " in " : " < ") + frames[i];
-  }
-
   void read_mesh(const TriangleSurface& surface, MesherRun& run) const {
     const auto fail = [&run](Outcome outcome, std::string signature, std::string message) {
       run.failure = outcome;

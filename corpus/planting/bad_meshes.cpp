@@ -8,45 +8,21 @@
 #include <utility>
 
 #include "corpus/block_mesh.hpp"
+#include "corpus/planting/ground_meshes.hpp"
 #include "io/bytes/atomic_file.hpp"
 #include "io/mesh_files.hpp"
 
 namespace tetproof::corpus {
 namespace {
 
-struct Base {
-  const char* name;
-  TetMesh mesh;
-};
-
-// The meshes in which a kind may be planted; the first one that has a place for it is used. Between points
-// with integer coordinates midpoints are exact; in jittered meshes they are rounded.
-std::vector<Base> bases(const PlantKind& kind) {
-  const Base cell{"cell", block_mesh({2, 1, 1})}, block{"block", block_mesh({2, 2, 2})},
-      jittered{"jittered", block_mesh({2, 2, 2}, 0.1, 3)}, ball{"ball", ball_mesh(2, 0.1, 3)},
-      onion{"onion", ball_mesh(3, 0.1, 3)};
-  if (kind.second)
-    return {{"bar", block_mesh({10, 1, 1})},
-            {"beam", block_mesh({7, 2, 2})},
-            {"jittered beam", block_mesh({8, 3, 3}, 0.1)}};
-  if (kind.has("whole")) return {cell, {"octahedron", ball_mesh(1, 0.1, 3)}, ball, block};
-  if (kind.has("rounding") || kind.has("random")) return {jittered, ball, onion, block};
-  return {block, ball, onion, jittered};
-}
-
-struct Place {
-  const char* name;
-  double scale;
-  Eigen::Vector3d shift;
-};
-const Place here{"", 1, {0, 0, 0}}, far{"far", 1, {1e6, -0.9e6, 1.1e6}}, tiny{"tiny", 1e-9, {0, 0, 0}};
+const Place &here = places()[0], &far = places()[1], &tiny = places()[2];
 
 constexpr std::uint64_t most_seeds = 60;
 
 // The first planting of a kind for which `fits` is true.
 std::optional<Planted> first(const PlantKind& kind, const Place& place,
                              const std::function<bool(const Planted&)>& fits) {
-  for (const Base& base : bases(kind)) {
+  for (const GroundMesh& base : ground_meshes(kind)) {
     const Ground ground(moved(base.mesh, place.scale, place.shift));
     for (std::uint64_t seed = 1; seed <= most_seeds; ++seed)
       if (auto planted = plant(kind, ground, seed); planted && fits(*planted)) return planted;

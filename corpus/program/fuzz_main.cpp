@@ -9,7 +9,9 @@
 #include "corpus/campaign/journal.hpp"
 #include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/shards.hpp"
+#include "corpus/checkers/checker.hpp"
 #include "corpus/fuzz_campaign.hpp"
+#include "corpus/program/check_and_read.hpp"
 #include "corpus/program/fuzz_options.hpp"
 #include "corpus/program/replay.hpp"
 #include "corpus/program/status_line.hpp"
@@ -30,7 +32,10 @@ constexpr const char* examples =
     "  tetproof-fuzz --mesher gmsh,delaunay --known known.txt --junit fuzz.xml     for a CI system\n"
     "  tetproof-fuzz --mesher hxt --shard 3/8 --cases 100000 --out shards          on one of 8 machines\n"
     "  tetproof-fuzz --merge shards --json report.json\n"
-    "  tetproof-fuzz --replay 1:17 --mesher tetgen,pq\n";
+    "  tetproof-fuzz --replay 1:17 --mesher tetgen,pq\n"
+    "  tetproof-fuzz --judge 'my-checker {mesh}' --judge gmsh --judge tetgen       who misses what\n"
+    "  tetproof-fuzz --judge 'my-checker {mesh}' --says '[Ee]rror' --formats vtk --out missed\n"
+    "  tetproof-fuzz --reader 'my-reader {file}' --formats msh41,vtu --out crashes --shrink 30\n";
 
 int exit_code(const CampaignResult& result) {
   if (std::any_of(result.groups.begin(), result.groups.end(), [](const auto& group) { return !group.known; }))
@@ -108,13 +113,16 @@ void check_usage(const FuzzArguments& a) {
 
 int work(const FuzzArguments& a, const program::Common& common) {
   if (a.list_kinds || a.print_preset) {
-    program::write_text("-", a.list_kinds ? list_fuzz_kinds() : list_presets());
+    program::write_text(
+        "-", a.list_kinds ? list_fuzz_kinds() + list_kinds_of_others() : list_presets() + list_checkers());
     return program::sound;
   }
-  check_usage(a);
+  const bool others = asks_for_other_programs(a);
+  if (!others) check_usage(a);
   program::FilesInUse files(common);
   if (!a.known.empty()) files.reads("--known", a.known);
   files.writes("--junit", a.junit);
+  if (others) return check_or_read(a, common, files);
   if (!a.replay.empty()) return replay(a, common);
   CampaignResult result;
   if (a.merge.empty())
@@ -135,13 +143,19 @@ int main(int argc, char** argv) {
       "tetproof-verify does; groups what fails by its cause and makes it small. Exit code 0: all meshes are "
       "sound, or were refused, or fail in a known way; 1: new findings; 2: bad usage; 3: own failure; 4: no "
       "finding, but there were runs of which nothing can be said: slow, out of memory, not judged, not "
-      "compiled in, or shards are missing.",
+      "compiled in, or shards are missing. The same for checkers on planted meshes (1: a defect missed, a "
+      "sound "
+      "mesh refused, a crash) and for readers of damaged files (1: a crash, a hang, all memory taken; 4: it "
+      "refuses valid files, too).",
       examples,
       {"CGAL " CGAL_VERSION_STR}};
   return program::run(argc, argv, description,
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {
                         auto arguments = std::make_shared<FuzzArguments>();
                         declare_options(app, *arguments);
-                        return [arguments, &common] { return work(*arguments, common); };
+                        return [arguments, &app, &common] {
+                          arguments->cases_given = app.count("--cases") > 0;
+                          return work(*arguments, common);
+                        };
                       });
 }

@@ -7,11 +7,16 @@ namespace tetproof::corpus {
 namespace {
 
 void declare_campaign(CLI::App& app, FuzzArguments& a) {
-  app.add_option("--cases", a.cases, "the number of surfaces; each mesher gets all of them")
+  app.add_option("--cases", a.cases,
+                 "the number of surfaces; each mesher gets all of them. With --judge: of meshes of each "
+                 "kind, usually 3; "
+                 "with --reader: of damaged files, usually 2000")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   app.add_option("--seed", a.seed, "case k of seed S is the same on every machine")->type_name("S");
-  app.add_option("--kinds", a.surfaces.kinds, "only these kinds of surfaces (--list-kinds)")
+  app.add_option(
+         "--kinds", a.surfaces.kinds,
+         "only these kinds of surfaces, of defects with --judge, of damage with --reader (--list-kinds)")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -25,7 +30,7 @@ void declare_campaign(CLI::App& app, FuzzArguments& a) {
   app.add_flag("--extreme-sizes", a.surfaces.extreme_sizes,
                "also sizes of 1e-60 and 1e60, which hardly any mesher supports");
   app.add_flag("--list-kinds", a.list_kinds,
-               "print the kinds of surfaces and modifiers with their parameters");
+               "print the kinds of surfaces and modifiers with their parameters, of defects and of damage");
 }
 
 void declare_runs(CLI::App& app, FuzzArguments& a) {
@@ -88,6 +93,40 @@ void declare_results(CLI::App& app, FuzzArguments& a) {
       ->always_capture_default(false);
 }
 
+void declare_others(CLI::App& app, OtherArguments& a) {
+  const auto command = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    app.add_option(name, values, what)
+        ->type_name("COMMAND")
+        ->allow_extra_args(false)
+        ->always_capture_default(false);
+  };
+  command(
+      "--judge", a.judge,
+      "put meshes with planted defects, and sound ones, to a checker, with {mesh} and, if it compares, "
+      "{surface}: a command in quotes, or a preset (--print-preset). Its exit code 0 means sound, another "
+      "one defective. May be repeated");
+  app.add_option("--says", a.says,
+                 "a regular expression: a line of a checker's output that means defective, too")
+      ->type_name("REGEX")
+      ->always_capture_default(false);
+  app.add_option(
+         "--says-sound", a.says_sound,
+         "a line of a checker's output without which nothing is called sound, in place of its exit code")
+      ->type_name("REGEX")
+      ->always_capture_default(false);
+  command("--reader", a.reader,
+          "hand damaged and odd files to a reader: a command in quotes, with {file}, or {stem} without the "
+          "ending");
+  app.add_option(
+         "--formats", a.formats,
+         "the formats of a reader's files, usually all that tetproof-convert writes; of --judge's {mesh}: "
+         "one, usually that of --mesh-ending")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->always_capture_default(false);
+}
+
 }  // namespace
 
 void declare_mesher_options(CLI::App& app, MesherArguments& a) {
@@ -116,10 +155,12 @@ void declare_mesher_options(CLI::App& app, MesherArguments& a) {
 
 void declare_options(CLI::App& app, FuzzArguments& a) {
   declare_mesher_options(app, a.mesher);
-  app.add_flag("--print-preset", a.print_preset, "print the presets with their variants and commands");
+  app.add_flag("--print-preset", a.print_preset,
+               "print the presets of meshers and checkers with their variants and commands");
   declare_campaign(app, a);
   declare_runs(app, a);
   declare_results(app, a);
+  declare_others(app, a.others);
 }
 
 }  // namespace tetproof::corpus

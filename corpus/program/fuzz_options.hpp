@@ -20,10 +20,19 @@ struct MesherArguments {
   std::string surface_format = "off", mesh_ending = ".msh", name;
 };
 
+/// How the command line names programs that are no meshers: checkers of meshes, readers of files.
+struct OtherArguments {
+  std::vector<std::string> judge, reader;  ///< each a COMMAND or a preset
+  std::string says, says_sound;            ///< expressions
+  std::vector<std::string> formats;
+};
+
 /// The command line's arguments.
 struct FuzzArguments {
   MesherArguments mesher;
+  OtherArguments others;
   std::uint64_t seed = 1, cases = 100;
+  bool cases_given = false;
   std::string shard, shards;
   FuzzOptions surfaces;
   Limits limits;
