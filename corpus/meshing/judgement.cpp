@@ -43,7 +43,7 @@ class Judge {
  public:
   Judge(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
         const JudgeOptions& asked)
-      : run_(run), surface_(surface) {
+      : run_(run), surface_(surface), coarse_(mesher.coarse()) {
     options_.check = asked.check;
     options_.quality = false;
     options_.voxels = 0;
@@ -70,8 +70,11 @@ class Judge {
     if (!asks(true)) return judgement_;
     verify::Options against = options_;
     against.region = verify::Region::inside;
-    against.strict_topology = true;
+    against.coarse = coarse_;
+    against.strict_topology = !coarse_;
     if (against.check.empty()) against.check = checks_of_pass_2();
+    // The box of a grid from a coarse lattice says nothing.
+    if (coarse_) std::erase(against.check, verify::info(verify::Check::bounding_box).id);
     if (!passes(verify::verify(run_.mesh, surface_, against), Outcome::wrong_against_surface) &&
         judgement_.outcome == Outcome::wrong_against_surface && options_.check.empty())
       name_region(against);
@@ -132,6 +135,7 @@ class Judge {
 
   const MesherRun& run_;
   const verify::JudgedSurface& surface_;
+  bool coarse_;
   verify::Options options_;
   Judgement judgement_;
 };

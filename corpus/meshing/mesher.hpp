@@ -55,6 +55,9 @@ class Mesher {
   virtual bool may_change_boundary() const = 0;
   /// The distance that boundary and surface may have [box diagonal], if it may change the boundary.
   virtual double fidelity() const = 0;
+  /// Whether it works on a lattice that loses what is thinner than a cell, and says so. Parts that are
+  /// missing and another topology are then no defects, as in `verify::Options::coarse`.
+  virtual bool coarse() const { return false; }
   virtual int repeats() const = 0;  ///< runs of each case: more than 1 for meshers that are not deterministic
 };
 

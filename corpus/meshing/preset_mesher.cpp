@@ -112,7 +112,8 @@ std::unique_ptr<Mesher> preset_mesher(const std::string& name, const std::string
   tool.fidelity = tool.may_change_boundary ? preset.fidelity : 0;
   tool.repeats = variant->repeats;
   tool.digits = preset.digits;
-  tool.judged_exit = preset.judged_exit;
+  tool.own_verdict_exit = preset.own_verdict_exit;
+  tool.coarse = preset.coarse;
   tool.version = version_of(preset, tool.program);
   return tool_mesher(std::move(tool));
 }

@@ -130,7 +130,8 @@ Preset tetproof() {
   p.fidelity =
       0.09;  // one cell: the box is 1.2 times the surface's, a cell at most a 24th of it along each axis
   p.digits = 0;
-  p.judged_exit = 1;  // a grid in which it found a defect is written all the same
+  p.own_verdict_exit = 1;
+  p.coarse = true;
   const auto words = [](const std::string& cells) {
     return Words{"tetproof-mesh", "{surface}", "-o", "{mesh}",    "--binary", "--cells",
                  cells,           "--voxels",  "0",  "--threads", "1",        "--quiet"};

@@ -27,7 +27,8 @@ struct Preset {
   bool may_change_boundary = false;
   double fidelity = 0;
   int digits = -1;                      ///< as in `Tool`
-  int judged_exit = 0;                  ///< as in `Tool`
+  int own_verdict_exit = 0;             ///< as in `Tool`
+  bool coarse = false;                  ///< as in `Mesher`
   std::vector<PresetVariant> variants;  ///< the first is the default
 };
 

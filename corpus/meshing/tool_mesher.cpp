@@ -102,10 +102,8 @@ class ToolMesher : public Mesher {
     run.wall_s = end.wall_s;
     run.peak_mb = end.peak_mb;
 
-    if (std::error_code error;
-        end.exit_code == tool_.judged_exit && std::filesystem::exists(run.mesh_file, error))
-      end.exit_code = 0;
     EndClass found = classify_end(end);
+    if (tool_.own_verdict_exit != 0 && end.exit_code == tool_.own_verdict_exit) says_no(end, found);
     if (found.wants_backtrace) add_backtrace(command, options, found);
     run.failure = found.failure;
     run.signature = std::move(found.signature);
@@ -123,8 +121,20 @@ class ToolMesher : public Mesher {
   bool may_change_boundary() const override { return tool_.may_change_boundary; }
   double fidelity() const override { return tool_.fidelity; }
   int repeats() const override { return tool_.repeats; }
+  bool coarse() const override { return tool_.coarse; }
 
  private:
+  // It judged its own mesh, and says that it is none: it gave up, and its words are not about the surface.
+  static void says_no(const ProcessEnd& end, EndClass& found) {
+    found = {.failure = Outcome::refused, .signature = "its own verdict", .message = "its own verdict"};
+    for (const std::string& line : output_lines(end.output))
+      if (says(line, "defective: ") || says(line, "empty")) {
+        found.signature += ": " + without_numbers(line.substr(0, line.find(';')));
+        found.message = line;
+        return;
+      }
+  }
+
   void read_mesh(const TriangleSurface& surface, MesherRun& run) const {
     const auto fail = [&run](Outcome outcome, std::string signature, std::string message) {
       run.failure = outcome;

@@ -22,8 +22,9 @@ struct Tool {
   bool may_change_boundary = false;
   double fidelity = 0;
   int repeats = 1;
-  int digits = -1;      ///< as in `MesherRun`; -1: as the file shows
-  int judged_exit = 0;  ///< an exit code that is a success, too, if there is a mesh
+  int digits = -1;           ///< as in `MesherRun`; -1: as the file shows
+  int own_verdict_exit = 0;  ///< the exit code with which it says that its own mesh is empty or defective
+  bool coarse = false;       ///< as in `Mesher`
   std::vector<std::string> environment{};
   std::string version{};
 };

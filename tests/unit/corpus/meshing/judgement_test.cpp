@@ -127,6 +127,27 @@ TEST(JudgeRun, LetsARemeshedBoundaryBeAsFarAsTheMesherSays) {
   expect(judge(raised(1e-1), surface, {}, 0, 1e-2), Outcome::wrong_against_surface, "excess-region");
 }
 
+// A lattice that is too coarse for a cell of the solid loses it, and says so; it may not add one.
+TEST(JudgeRun, LetsACoarseLatticeLoseWhatIsThin) {
+  class Lattice : public FakeMesher {
+   public:
+    Lattice() : FakeMesher(0.2) {}  // a cell: the diagonal is 5.2
+    bool coarse() const override { return true; }
+  };
+  const auto judge_lattice = [](const TetMesh& mesh, const TetMesh& solid) {
+    const TriangleSurface surface = test::boundary_surface(solid);
+    const verify::JudgedSurface judged(surface);
+    return judge_run({.mesh = mesh}, Lattice(), judged, {});
+  };
+  const TetMesh with_horn = test::lattice_mesh({3, 3, 6}, [](test::Cell c) {
+    return c[2] < 3 || c == test::Cell{1, 1, 3} || c == test::Cell{1, 1, 4} || c == test::Cell{1, 1, 5};
+  });
+  expect(judge_lattice(block(), with_horn), Outcome::sound, "");
+  EXPECT_EQ(judge_lattice(with_horn, block()).outcome, Outcome::wrong_against_surface);
+  expect(judge(block(), test::boundary_surface(with_horn), {}, 0, 0.2), Outcome::wrong_against_surface,
+         "missing-region");
+}
+
 TEST(JudgeRun, MakesOnlyThePassThatTheChecksAskFor) {
   TetMesh inverted = block();
   std::swap(inverted.tets[7][0], inverted.tets[7][1]);
