@@ -58,15 +58,17 @@ std::string frame_of(const std::string& line) {
 
 }  // namespace
 
-std::vector<std::string> backtrace(const std::vector<std::string>& command, const ProcessOptions& options) {
+std::vector<std::string> backtrace(const std::vector<std::string>& command, const ProcessOptions& options,
+                                   bool at_exit) {
   if (program_path("gdb").empty() || command.empty()) return {};
   const std::string program = program_path(command[0]);
   if (program.empty()) return {};
   std::vector<std::string> words{"gdb", "-batch", "-nx", "-q"};
   for (const char* line :
        {"set confirm off", "set debuginfod enabled off", "set pagination off", "set width 0",
-        "set print frame-arguments none", "set print address on", "handle SIGPIPE nostop noprint pass", "run",
-        "echo \\n=== backtrace\\n", "backtrace 40"}) {
+        "set print frame-arguments none", "set print address on", "handle SIGPIPE nostop noprint pass",
+        at_exit ? "catch syscall exit_group" : "", "run", "echo \\n=== backtrace\\n", "backtrace 40"}) {
+    if (*line == 0) continue;
     words.emplace_back("-ex");
     words.emplace_back(line);
   }

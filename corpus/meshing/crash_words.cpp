@@ -138,11 +138,9 @@ constexpr std::array phrases{
 std::optional<CrashWords> phrase(const std::vector<std::string>& lines, std::size_t i) {
   for (const Phrase& p : phrases) {
     if (!says(lines[i], p.words)) continue;
-    if (p.words == "please report this bug to") {  // what went wrong stands in the line before, if anywhere
-      const std::string before = i > 0 ? without_numbers(lines[i - 1]) : "";
-      return CrashWords{"internal error" + (before.empty() ? "" : ": " + before), lines[i], p.needs_signal,
-                        before.empty()};
-    }
+    // What stands in the line before is what it was doing, and not what went wrong: the backtrace says where.
+    if (p.words == "please report this bug to")
+      return CrashWords{"internal error", lines[i], p.needs_signal, true};
     // The same fault has other words, at another place, from run to run.
     if (p.heap) return CrashWords{"heap corruption", lines[i], p.needs_signal, false};
     return CrashWords{without_numbers(trimmed(lines[i])), lines[i], p.needs_signal, true};
@@ -171,7 +169,7 @@ std::string function_name(const std::string& declaration) {
     open = i;
     break;
   }
-  if (open != npos) text.resize(open);
+  if (open != npos) text = trimmed(text.substr(0, open));  // gdb puts a space before the arguments
   // The name follows the last "::" or space outside of angle brackets.
   std::size_t begin = 0;
   angles = 0;

@@ -163,7 +163,7 @@ bool is_crash(int signal) {
 }  // namespace
 
 void add_backtrace(const std::vector<std::string>& command, const ProcessOptions& options, EndClass& end) {
-  std::vector<std::string> frames = backtrace(command, options);
+  std::vector<std::string> frames = backtrace(command, options, end.by_exit);
   // Frames without a name tell little: they count only where there are no others.
   const auto is_named = [](const std::string& frame) { return frame[0] != '?'; };
   if (std::any_of(frames.begin(), frames.end(), is_named))
@@ -199,7 +199,8 @@ EndClass classify_end(const ProcessEnd& end) {
 
   const auto crash = crash_words(lines);
   if (crash && (!success || !crash->needs_signal)) {
-    result.wants_backtrace = crash->wants_backtrace && signal != 0;
+    result.wants_backtrace = crash->wants_backtrace;
+    result.by_exit = signal == 0;
     return fail(Outcome::crashed, crash->signature, crash->message);
   }
   if (const std::string* line = first_with(lines, absent))

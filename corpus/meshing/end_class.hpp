@@ -19,6 +19,7 @@ struct EndClass {
   std::vector<std::string> warnings{};
   /// A crash whose words do not say where it happened: a backtrace would tell more.
   bool wants_backtrace = false;
+  bool by_exit = false;  ///< no signal ended it: the backtrace is that of its exit
 };
 
 EndClass classify_end(const ProcessEnd& end);

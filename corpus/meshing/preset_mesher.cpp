@@ -85,7 +85,8 @@ std::string version_of(const Preset& preset, const std::string& program) {
 
 std::unique_ptr<Mesher> preset_mesher(const std::string& name, const std::string& path) {
   const std::size_t comma = name.find(',');
-  const Preset& preset = preset_named(name.substr(0, comma));
+  const std::string preset_name = name.substr(0, comma);
+  const Preset& preset = preset_named(preset_name);
   const PresetVariant* variant = comma == std::string::npos ? &preset.variants.front() : nullptr;
   std::vector<std::string> names;
   for (const PresetVariant& v : preset.variants) {
@@ -120,7 +121,8 @@ std::unique_ptr<Mesher> preset_mesher(const std::string& name, const std::string
 
 std::vector<std::string> preset_variants(const std::string& name) {
   const std::size_t comma = name.find(',');
-  const Preset& preset = preset_named(name.substr(0, comma));
+  const std::string preset_name = name.substr(0, comma);
+  const Preset& preset = preset_named(preset_name);
   std::vector<std::string> result;
   for (const PresetVariant& variant : preset.variants)
     if (comma == std::string::npos || variant.name == name.substr(comma + 1))

@@ -41,8 +41,9 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
 
 /// The backtrace of a crash: the command is run once more under gdb, and the innermost frames of the crashed
 /// thread are returned, innermost first, without those of the C library and of gdb. Empty: there is no gdb,
-/// or it did not crash again.
+/// or it did not crash again. `at_exit`: where it ends by itself instead, for programs that report an
+/// internal error and exit.
 std::vector<std::string> backtrace(const std::vector<std::string>& command,
-                                   const ProcessOptions& options = {});
+                                   const ProcessOptions& options = {}, bool at_exit = false);
 
 }  // namespace tetproof::corpus

@@ -46,8 +46,8 @@ Checker checker_of(const std::vector<std::string>& words, const FuzzArguments& a
   if (!checker.mesh_ending.starts_with('.'))
     throw InputError(
         fmt::format("--mesh-ending: expected a dot first, as in .msh, found '{}'", checker.mesh_ending));
-  const Format& format = a.others.formats.empty() ? format_of("mesh" + checker.mesh_ending)
-                                                  : format_named(a.others.formats.front());
+  const std::string file = "mesh" + checker.mesh_ending;
+  const Format& format = a.others.formats.empty() ? format_of(file) : format_named(a.others.formats.front());
   if (a.others.formats.size() > 1)
     throw InputError("--formats: --judge takes the name of one format, that of {mesh}");
   checker.format = format.name;

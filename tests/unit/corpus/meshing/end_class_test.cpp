@@ -178,6 +178,11 @@ TEST(CrashWords, NamesOfFunctions) {
   EXPECT_EQ(function_name("void a::{anonymous}::f<std::pair<int, int> >(T) [with T = int]"), "f");
   EXPECT_EQ(function_name("const T& A<B::C>::operator()(int) const"), "operator()");
   EXPECT_EQ(function_name("main"), "main");
+  // As gdb prints a frame, with and without the program's debug information.
+  EXPECT_EQ(function_name("tetgenmesh::split_segment (this=...) at tetgen.cxx:27107"), "split_segment");
+  EXPECT_EQ(function_name("terminatetetgen () at a/tetgen.h:2523"), "terminatetetgen");
+  EXPECT_EQ(function_name("meshGRegionHxt(std::vector<GRegion*>&) () from /lib/libgmsh.so"),
+            "meshGRegionHxt");
 }
 
 }  // namespace
