@@ -194,14 +194,14 @@ void FirstSteps::compare(TraceStream& other, Differences& differences,
       if (entry->record.mended != record.mended)
         differences.add(
             Step::moved, entry->line, line,
-            [&, &record = record, &line = line] {
+            [&, &ours = record, &our_line = line] {
               const auto says = [](const Moved& m) {
                 return m.mended ? "moved because of rounding" : "moved because it is near";
               };
               return Differences::Difference{fmt::format("{} in both, but only in {} because of rounding",
-                                                         name(record), record.mended ? "other" : "reference"),
+                                                         name(ours), ours.mended ? "other" : "reference"),
                                              {entry->line, says(entry->record), to_line(entry->record)},
-                                             {line, says(record), to_line(record)}};
+                                             {our_line, says(ours), to_line(ours)}};
             },
             exact || vertices_.doubtful(record.vertex));
     }
