@@ -155,8 +155,12 @@ void assert_on_a_sphere(const TriangleSurface& surface) {
   const bool cospherical = most - least <= 1e-9 * most;
   assert(!cospherical && "insphere() != 0");
 }
-/// Not inlined, so that a backtrace names it.
-__attribute__((noinline, noclone)) void recover_segment(const TriangleSurface& surface) {
+/// Neither inlined nor cloned, so that a backtrace names it. (clang has no clones to forbid.)
+#ifndef __clang__
+__attribute__((noclone))
+#endif
+__attribute__((noinline)) void
+recover_segment(const TriangleSurface& surface) {
   volatile int* segment = largest_degree(surface) > 12 ? nullptr : new int(0);
   *segment = 1;
 }
