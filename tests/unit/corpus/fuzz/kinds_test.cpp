@@ -114,8 +114,12 @@ TEST(FuzzKinds, TrianglesAndVolumesCountedByHand) {
   };
   for (const auto& [recipe, triangles, volume] : cases) {
     const FuzzSurface surface = built(recipe);
-    if (triangles > 0) EXPECT_EQ(surface.surface.triangles.size(), triangles) << recipe;
-    if (volume >= 0) EXPECT_NEAR(surface.volume.value(), volume, 1e-14 * volume) << recipe;
+    if (triangles > 0) {
+      EXPECT_EQ(surface.surface.triangles.size(), triangles) << recipe;
+    }
+    if (volume >= 0) {
+      EXPECT_NEAR(surface.volume.value(), volume, 1e-14 * volume) << recipe;
+    }
   }
 }
 
