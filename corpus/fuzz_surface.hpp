@@ -60,8 +60,8 @@ FuzzSurface build(const Recipe& recipe);
 /// them), another recipe is drawn.
 FuzzSurface fuzz_surface(std::uint64_t seed, std::uint64_t index, const FuzzOptions& options = {});
 
-/// How far a recipe is from the simplest ones: a surface or a modifier more outweighs all numbers; of these
-/// counts how far each is from the simplest value of its parameter.
+/// How far a recipe is from the simplest ones. One surface or modifier more counts a million. Each number
+/// counts by its distance from the simplest value of its parameter.
 std::int64_t recipe_size(const Recipe& recipe);
 
 /// Simpler recipes to try when a surface is shrunk, the most drastic first: a part instead of the whole, one

@@ -7,11 +7,11 @@
 
 #include <cstdint>
 #include <ostream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "corpus/fuzz_surface.hpp"
+#include "io/error.hpp"
 
 namespace tetproof::corpus {
 
@@ -24,7 +24,7 @@ inline rc::Gen<Recipe> fuzz_recipes(const FuzzOptions& options = {}) {
         try {
           build(candidate);
           return true;
-        } catch (const std::runtime_error&) {  // InputError: what it builds is no valid surface
+        } catch (const InputError&) {  // it builds no valid surface
           return false;
         }
       });

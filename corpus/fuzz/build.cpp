@@ -7,6 +7,7 @@
 #include "corpus/fuzz/recipe_rules.hpp"
 #include "corpus/fuzz/unjudged_build.hpp"
 #include "corpus/fuzz_surface.hpp"
+#include "corpus/generators/generators.hpp"
 #include "corpus/generators/spec.hpp"
 #include "io/error.hpp"
 #include "verify/surface.hpp"
@@ -53,7 +54,6 @@ std::size_t check(const Recipe& recipe, int depth) {
   return leaves;
 }
 
-// Applies a modifier.
 void apply(TriangleSurface& surface, const Modifier& modifier) {
   const FuzzModifier& known = *find_modifier(modifier.name);
   try {
@@ -71,7 +71,13 @@ Shape shape_of(const Recipe& recipe) {
       shape = kind->make(numbers);
     } else {
       std::vector<Shape> parts;
-      for (const Recipe& part : recipe.parts) parts.push_back(shape_of(part));
+      std::size_t triangles = 0;
+      for (const Recipe& part : recipe.parts) {
+        parts.push_back(shape_of(part));
+        triangles += parts.back().surface.triangles.size();
+        if (static_cast<double>(triangles) > most_triangles)
+          throw InputError(fmt::format("more than {} triangles", most_triangles));
+      }
       shape = find_combination(recipe.kind)->make(numbers, parts);
     }
   } catch (const InputError& error) {
@@ -121,6 +127,7 @@ FuzzSurface build(const Recipe& recipe) {
   const std::string broken = broken_promise(shape, verify::judge_surface(shape.surface));
   if (!broken.empty()) throw InputError(fmt::format("{}: {}", recipe_text(recipe), broken));
   FuzzSurface built{std::move(shape.surface), recipe, shape.components, shape.cavities, shape.genus, {}};
+  // By code of our own, beside the judge's: the two check each other.
   const double volume = enclosed_volume(built.surface);
   if (std::isnormal(volume)) built.volume = volume;  // else no double is near it
   return built;

@@ -2,10 +2,9 @@
 #include "corpus/fuzz/exact_sides.hpp"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 
-#include "corpus/exact/exact_integers.hpp"
+#include "corpus/truth.hpp"
 
 namespace tetproof::corpus {
 
@@ -13,18 +12,16 @@ int side(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector
          const Eigen::Vector3d& d) {
   // In doubles first. Each entry has one rounding error, each of the six products of three entries at most
   // five errors of 2^-53 altogether, and their sum five more: 16 units of the products' absolute sum are
-  // enough. Results that could have met underflow are left to the integers.
+  // enough. A result that is small, or edges that are so long that a
+  // product's underflow would count, are left to the integers.
   const Eigen::Vector3d u = b - a, v = c - a, w = d - a;
   const double computed = u.cross(v).dot(w);
   const Eigen::Vector3d p = u.cwiseAbs(), q = v.cwiseAbs(), r = w.cwiseAbs();
   const double magnitude = (p[1] * q[2] + p[2] * q[1]) * r[0] + (p[2] * q[0] + p[0] * q[2]) * r[1] +
                            (p[0] * q[1] + p[1] * q[0]) * r[2];
-  if (std::abs(computed) > magnitude * 0x1p-49 && std::abs(computed) > 1e-200) return computed > 0 ? 1 : -1;
-  const std::array<Eigen::Vector3d, 4> points{a, b, c, d};
-  const int unit = last_bit(points);
-  const IntegerPoint o = integers(a, unit);
-  const Integer exact = dot(cross(integers(b, unit) - o, integers(c, unit) - o), integers(d, unit) - o);
-  return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+  if (std::abs(computed) > magnitude * 0x1p-49 && std::abs(computed) > 1e-200 && r.maxCoeff() < 1e100)
+    return computed > 0 ? 1 : -1;
+  return orientation(a, b, c, d);
 }
 
 int turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {

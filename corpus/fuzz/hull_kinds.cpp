@@ -30,8 +30,7 @@ Shape cospherical(const Numbers& values) {
   if (values["exact"] == 1) {
     const int a = 1 + random.below(20), b = a + 1 + random.below(20), c = b + 1 + random.below(20);
     points = same_length(a, b, c);
-    for (std::size_t i = points.size(); i > 1; --i)
-      std::swap(points[i - 1], points[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    shuffle(points, random);
     points.resize(std::min(n, points.size()));
   } else {
     while (points.size() < n) {

@@ -67,12 +67,6 @@ void decimals(TriangleSurface& surface, const Numbers& values) {
     for (int k = 0; k < 3; ++k) v[k] = to_significant_digits(v[k], values.integer("digits"));
 }
 
-template <class T>
-void shuffle(std::vector<T>& items, Random& random) {
-  for (std::size_t i = items.size(); i > 1; --i)
-    std::swap(items[i - 1], items[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
-}
-
 void renumber(TriangleSurface& surface, const Numbers& values) {
   Random random = values.random();
   std::vector<Index> order(surface.vertices.size());

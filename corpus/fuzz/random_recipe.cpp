@@ -158,7 +158,7 @@ Recipe small_recipe(std::uint64_t seed, std::uint64_t index, std::uint64_t& atte
       // Values that do not go together: the next attempt.
     }
   }
-  throw InputError(fmt::format("none of {} random recipes has a surface of at most {} triangles",
+  throw InputError(fmt::format("none of {} random recipes gives a valid surface of at most {} triangles",
                                most_attempts, options.most_triangles));
 }
 

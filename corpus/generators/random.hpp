@@ -3,8 +3,11 @@
 // distributions, so the distributions are our own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace tetproof::corpus {
 
@@ -19,5 +22,12 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// A random order (Fisher and Yates).
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t i = items.size(); i > 1; --i)
+    std::swap(items[i - 1], items[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+}
 
 }  // namespace tetproof::corpus

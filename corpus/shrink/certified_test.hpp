@@ -11,7 +11,6 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <string>
 
 #include "corpus/shrink/ordered_search.hpp"
 #include "corpus/shrink/shrink_surface.hpp"
@@ -57,7 +56,7 @@ class CertifiedTest {
   std::atomic<std::int64_t> calls_ = 0;
   bool cut_short_ = false;
   std::mutex mutex_;
-  std::set<std::string> passed_;  // the candidates that did not fail, as bytes
+  std::set<std::array<std::uint64_t, 2>> passed_;  // the candidates that did not fail, by their digests
 };
 
 }  // namespace tetproof::corpus

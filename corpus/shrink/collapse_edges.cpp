@@ -19,8 +19,7 @@ constexpr std::size_t smallest_batch = 2;
 std::vector<Edge> shuffled_edges(const EditableSurface& surface, std::uint64_t seed) {
   Random random(seed);
   std::vector<Edge> edges = surface.edges();
-  for (std::size_t i = edges.size(); i > 1; --i)
-    std::swap(edges[i - 1], edges[random.below(static_cast<int>(i))]);
+  shuffle(edges, random);
   return edges;
 }
 

@@ -11,7 +11,8 @@ namespace tetproof::corpus {
 /// The decimals that the shortest decimal number with the value of `x` has: 2 for 0.25, -3 for 5000. 0 has
 /// none: the lowest int.
 int decimals_of(double x);
-/// The double next to a multiple of 10^-decimals near `x`; `x` itself where that is not finite. 0, not -0.
+/// `x` rounded to a multiple of 10^-decimals, as the double nearest to that; `x` where that is not finite.
+/// Never -0.
 double rounded(double x, int decimals);
 
 /// The decimals at which rounding would leave little of a surface: a unit is about its size.
@@ -20,9 +21,5 @@ int coarsest_decimals(const TriangleSurface& surface);
 std::int64_t decimals_beyond(const TriangleSurface& surface, int coarsest);
 /// The largest number of decimals of a coordinate, at least `coarsest`.
 int most_decimals(const TriangleSurface& surface, int coarsest);
-
-/// The surface with the corner of its box moved to the origin, if it is far from there for its size, and
-/// scaled by a power of two to a size of about 1, if it is far larger or smaller.
-TriangleSurface brought_near(const TriangleSurface& surface, bool move, bool scale);
 
 }  // namespace tetproof::corpus

@@ -17,8 +17,9 @@ namespace tetproof::corpus {
 
 /// Tries n changes in runs: all at once, then each half of those that are left, each quarter, ..., each run
 /// of `smallest`. `make` makes the candidate of a run of changes, on top of those accepted so far; `accept`
-/// is told each run that is accepted, with its candidate. Returns the number of changes in accepted runs.
-/// A. Zeller and R. Hildebrandt, "Simplifying and Isolating Failure-Inducing Input", 2002.
+/// is told each run that is accepted, with its candidate. `most`: the triangles that a candidate may have.
+/// Returns the number of changes in accepted runs. A. Zeller and R. Hildebrandt, "Simplifying and Isolating
+/// Failure-Inducing Input", 2002.
 inline std::size_t try_by_halves(
     CertifiedTest& test, std::size_t n, std::size_t smallest, const std::function<std::size_t()>& most,
     const std::function<std::optional<TriangleSurface>(std::span<const std::size_t>)>& make,

@@ -10,6 +10,7 @@ namespace tetproof::corpus {
 namespace {
 
 constexpr int roots = 24;               // of the trees whose cycles are looked at
+constexpr int most_of_a_root = 8;       // rings: the next roots may find shorter ones elsewhere
 constexpr std::size_t most_rings = 60;  // that are returned
 
 // A tree of shortest paths across edges.
@@ -109,7 +110,7 @@ std::vector<Patch> handle_rings(const TriangleSurface& surface, std::uint64_t se
       for (Patch& ring : cycles) {
         if (!is_ring(ring, surface, edges.mate) || !leaves_rest_connected(ring, sheets, edges.mate)) continue;
         rings.push_back(std::move(ring));
-        if (++kept == 8) break;  // of one root: the next roots may find shorter ones elsewhere
+        if (++kept == most_of_a_root) break;
       }
     }
   }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus/shrink/parts.hpp"
 
+#include <Eigen/Geometry>
+
 #include "corpus/shrink/editable_surface.hpp"
 #include "verify/surface.hpp"
-#include "verify/triangles/disjoint_sets.hpp"
+#include "verify/triangles/edges.hpp"
 
 namespace tetproof::corpus {
 namespace {
-
-struct Box {
-  Eigen::Vector3d low, high;
-  bool contains(const Box& b) const {
-    return (low.array() < b.low.array()).all() && (b.high.array() < high.array()).all();
-  }
-};
 
 // Whether part `inner` lies inside part `outer`: exact.
 bool encloses(const TriangleSurface& surface, const std::vector<Index>& of_triangle, Index outer,
@@ -23,7 +18,7 @@ bool encloses(const TriangleSurface& surface, const std::vector<Index>& of_trian
   for (const Index part : {outer, inner})
     for (std::size_t t = 0; t < of_triangle.size(); ++t)
       if (of_triangle[t] == part) both.triangles.push_back(surface.triangles[t]);
-  // The orientations may disagree on what is inside, which is a fault, but the depths are then known as well.
+  // The orientations may disagree on what is inside: a note of the judge, and no fault.
   const verify::SurfaceReport report = verify::judge_surface(without_unused_vertices(both));
   return report.components.at(1).depth == 1;
 }
@@ -32,24 +27,12 @@ bool encloses(const TriangleSurface& surface, const std::vector<Index>& of_trian
 
 Parts find_parts(const TriangleSurface& surface) {
   Parts parts;
-  verify::DisjointSets sets(surface.vertices.size());
-  for (const auto& [a, b, c] : surface.triangles) sets.unite(a, b), sets.unite(b, c);
-  std::vector<Index> part_of_set(surface.vertices.size(), -1);
-  std::vector<Box> boxes;
-  for (const auto& t : surface.triangles) {
-    Index& part = part_of_set[sets.find(t[0])];
-    if (part < 0) {
-      part = static_cast<Index>(boxes.size());
-      boxes.push_back({surface.vertices[t[0]], surface.vertices[t[0]]});
-    }
-    parts.of_triangle.push_back(part);
-    for (const Index v : t) {
-      boxes[part].low = boxes[part].low.cwiseMin(surface.vertices[v]);
-      boxes[part].high = boxes[part].high.cwiseMax(surface.vertices[v]);
-    }
-  }
-  // The judge lists the components in the same order: by their lowest triangle.
-  const auto components = verify::judge_surface(surface).components;
+  const verify::EdgeMatching edges = verify::match_edges(surface.triangles, surface.vertices.size());
+  parts.of_triangle = verify::find_sheets(surface.triangles, edges.mate).of_triangle;
+  const auto components = verify::judge_surface(surface).components;  // in the same order
+  std::vector<Eigen::AlignedBox3d> boxes(components.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const Index v : surface.triangles[t]) boxes[parts.of_triangle[t]].extend(surface.vertices[v]);
   const auto n = static_cast<Index>(components.size());
   std::vector<std::vector<Index>> inside(components.size());  // the parts one deeper
   std::vector<Index> order;                                   // a solid is followed by what lies inside it

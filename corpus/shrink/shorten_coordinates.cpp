@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/shrink/bring_near.hpp"
 #include "corpus/shrink/decimals.hpp"
 
 namespace tetproof::corpus {

@@ -23,7 +23,7 @@ struct ShrinkResult {
   TriangleSurface surface;
   std::int64_t calls = 0;  ///< of the test, with those that ran in vain beside another and the last one
   double seconds = 0;
-  bool finished = true;   ///< false: the time was over before nothing more could be removed
+  bool finished = true;   ///< false: the time was over before nothing more of what is tried could be removed
   bool confirmed = true;  ///< the result failed once more at the end; false: the test is not deterministic
   std::string steps;      ///< "2 parts removed, 1 handle cut, 57 edges collapsed, coordinates to 3 decimals"
 };

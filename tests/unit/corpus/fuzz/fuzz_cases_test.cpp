@@ -124,7 +124,7 @@ TEST(FuzzCases, KeepTheOptions) {
   EXPECT_EQ(error({.kinds = {"ball"}}), "ball: no such kind of random surface");
   EXPECT_EQ(error({.modifiers = {"twirl"}}), "twirl: no such modifier");
   EXPECT_EQ(error({.kinds = {"big-sphere"}, .most_triangles = 40}),
-            "none of 64 random recipes has a surface of at most 40 triangles");
+            "none of 64 random recipes gives a valid surface of at most 40 triangles");
 }
 
 TEST(FuzzCases, AModifierThatBreaksTheSurfaceIsLeftOut) {

@@ -12,9 +12,9 @@
 namespace tetproof::corpus {
 namespace {
 
-bool has_long_cylinder(const Recipe& recipe) {
+bool has_cylinder_of_many_corners(const Recipe& recipe) {
   return (recipe.kind == "cylinder" && recipe.values[0] > 10) ||
-         std::any_of(recipe.parts.begin(), recipe.parts.end(), has_long_cylinder);
+         std::any_of(recipe.parts.begin(), recipe.parts.end(), has_cylinder_of_many_corners);
 }
 
 TEST(RapidCheck, AFailureShrinksToTheSmallestThatFails) {
@@ -24,12 +24,12 @@ TEST(RapidCheck, AFailureShrinksToTheSmallestThatFails) {
     ASSERT_LT(seed, 5000u);
     const rc::Shrinkable<FuzzSurface> drawn = surfaces(rc::Random(seed), 100);
     const Recipe recipe = drawn.value().recipe;
-    if (!has_long_cylinder(recipe)) continue;
+    if (!has_cylinder_of_many_corners(recipe)) continue;
     ++failures;
     combined += !recipe.parts.empty();
     modified += !recipe.modifiers.empty();
     const auto [smallest, path] = rc::shrinkable::findLocalMin(
-        drawn, [](const FuzzSurface& surface) { return has_long_cylinder(surface.recipe); });
+        drawn, [](const FuzzSurface& surface) { return has_cylinder_of_many_corners(surface.recipe); });
     EXPECT_EQ(recipe_text(smallest.recipe), "cylinder(n=11,h=1,m=1,hub=0)") << recipe_text(recipe);
     EXPECT_EQ(smallest.surface.triangles.size(), 40u);
   }

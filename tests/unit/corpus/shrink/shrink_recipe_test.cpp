@@ -119,7 +119,7 @@ TEST(ShrinkRecipe, KeepsTheTimeLimit) {
       [&](const TriangleSurface& s) { return first.exchange(false) || slow(s); },
       {.seconds = 0.02, .threads = 1}, steps);
   EXPECT_FALSE(result.finished);
-  EXPECT_EQ(result.calls, 2);
+  EXPECT_LE(result.calls, 2);  // the time may be over before the second
 }
 
 }  // namespace
