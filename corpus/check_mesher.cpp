@@ -11,6 +11,7 @@
 
 #include "corpus/campaign/case_run.hpp"
 #include "corpus/campaign/journal.hpp"
+#include "corpus/campaign/shrink_groups.hpp"
 #include "corpus/campaign/tallies.hpp"
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
@@ -77,7 +78,7 @@ std::string findings_of(const Mesher& mesher, const FailureGroup& group, const s
                         const JudgeOptions& judge) {
   const TriangleSurface surface = read_surface(file);
   const JudgedRun again = run_and_judge(mesher, verify::JudgedSurface(surface), "", {}, judge);
-  if (again.judgement.outcome == group.outcome) return words_of(again);
+  if (belongs_to(again.judgement, group)) return words_of(again);
   return fmt::format("{}: {}\nnot seen again on this surface: does the function depend on more than it?",
                      name_of(group.outcome), group.cases.front().what);
 }
@@ -103,6 +104,9 @@ std::string group_words(const Mesher& mesher, const CampaignResult& result, cons
 MesherCheck check_mesher(const MeshFunction& function, const CheckOptions& o) {
   if (o.slices < 1 || o.slice < 0 || o.slice >= o.slices)
     throw InputError(fmt::format("slice {} of {}: there is no such slice", o.slice, o.slices));
+  if (o.cases < static_cast<std::uint64_t>(o.slices))
+    throw InputError(
+        fmt::format("{} in {} slices: some would be empty", io::counted(o.cases, "cases"), o.slices));
   const std::string folder =
       o.slices == 1 ? o.folder : fmt::format("{}/slice-{}-of-{}", o.folder, o.slice, o.slices);
   remove_results(folder, o);

@@ -3,8 +3,9 @@
 //
 //   class MyMesher : public testing::TestWithParam<int> {};
 //   TEST_P(MyMesher, MeshesHardSurfaces) {
-//     const auto checked = tetproof::corpus::check_mesher(my_mesher, {.cases = 2000, .slice = GetParam(),
-//     .slices = 8}); EXPECT_TRUE(checked.good) << checked.message;
+//     const auto checked =
+//         tetproof::corpus::check_mesher(my_mesher, {.cases = 2000, .slice = GetParam(), .slices = 8});
+//     EXPECT_TRUE(checked.good) << checked.message;
 //   }
 //   INSTANTIATE_TEST_SUITE_P(Slices, MyMesher, testing::Range(0, 8));
 #pragma once

@@ -31,7 +31,7 @@ struct CaseResult {
   std::string signature;             ///< of `outcome`
   std::string what;
   int repeats = 1, failed = 0;            ///< "3 of 20": the runs with this outcome and signature
-  std::vector<FurtherFailure> further{};  ///< other findings among the repeats
+  std::vector<FurtherFailure> further{};  ///< other findings among the repeats, and runs that were not judged
   double cpu_s = 0, judge_s = 0;          ///< of all repeats
 };
 

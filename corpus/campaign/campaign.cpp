@@ -12,6 +12,7 @@
 #include "corpus/campaign/certified_surface.hpp"
 #include "corpus/campaign/conclude.hpp"
 #include "corpus/campaign/journal.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/campaign/settings.hpp"
 #include "corpus/campaign/share_work.hpp"
 #include "corpus/campaign/shrink_groups.hpp"

@@ -2,37 +2,14 @@
 #include "corpus/campaign/case_run.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
+#include <algorithm>
 #include <map>
-#include <system_error>
 #include <tuple>
 
-#include "io/error.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 
 namespace tetproof::corpus {
-
-ScratchFolder::ScratchFolder(std::string path) : path_(std::move(path)) {
-  std::error_code error;
-  if (path_.empty()) {
-    path_ = (std::filesystem::temp_directory_path() / "tetproof-fuzz-XXXXXX").string();
-    if (::mkdtemp(path_.data())) return;
-    error = {errno, std::generic_category()};
-  } else {
-    path_ = std::filesystem::absolute(path_).string();
-    std::filesystem::remove_all(path_, error);
-    if (!error) std::filesystem::create_directories(path_, error);
-  }
-  if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 JudgedRun run_and_judge(const Mesher& mesher, const verify::JudgedSurface& surface, const std::string& folder,
                         const Limits& limits, const JudgeOptions& judge) {
@@ -68,7 +45,7 @@ void add_up(CaseResult& result, const std::vector<Judgement>& judgements) {
   result.repeats = static_cast<int>(judgements.size());
   result.failed = result.outcome == Outcome::sound ? 0 : worst->failed;
   for (const auto& [key, kind] : kinds)
-    if (&kind != worst && is_finding(kind.first->outcome))
+    if (&kind != worst && (is_finding(kind.first->outcome) || is_unjudged(kind.first->outcome)))
       result.further.push_back({.outcome = kind.first->outcome,
                                 .signature = kind.first->signature,
                                 .what = kind.first->what,

@@ -11,22 +11,6 @@
 
 namespace tetproof::corpus {
 
-/// A folder that is removed with all that is in it.
-class ScratchFolder {
- public:
-  /// Makes the folder `path`, empty, or one in the system's folder for temporary files if `path` is empty.
-  /// InputError if that is not possible.
-  explicit ScratchFolder(std::string path);
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::string& path() const { return path_; }  ///< absolute
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
-
 /// One run with its verdict.
 struct JudgedRun {
   MesherRun run;
@@ -37,8 +21,8 @@ struct JudgedRun {
 JudgedRun run_and_judge(const Mesher& mesher, const verify::JudgedSurface& surface, const std::string& folder,
                         const Limits& limits, const JudgeOptions& judge);
 
-/// What several runs of one case amount to: the worst outcome with its most frequent signature, and the other
-/// findings.
+/// What several runs of one case amount to: the worst outcome with its most frequent signature, the other
+/// findings, and runs that were not judged.
 void add_up(CaseResult& result, const std::vector<Judgement>& judgements);
 
 /// How often a mesher runs on each surface.

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/settings.hpp"
 #include "corpus/fuzz_campaign.hpp"
 
@@ -59,11 +60,7 @@ bool is_unjudged(Outcome outcome) {
 }
 
 std::string FailureGroup::id() const {
-  std::string text = mesher + ":" + name_of(outcome) + ":" + signature;
-  for (char& c : text)  // a file of known groups has one a line
-    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
+  return group_id(mesher, name_of(outcome), signature);
 }
 
 std::vector<FailureGroup> group_failures(const std::vector<CaseResult>& cases,

@@ -45,4 +45,12 @@ std::vector<std::string> read_known_groups(const std::string& path) {
   return ids;
 }
 
+std::string group_id(const std::string& name, const char* outcome, const std::string& signature) {
+  std::string text = name + ":" + outcome + ":" + signature;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
 }  // namespace tetproof::corpus

@@ -12,6 +12,7 @@
 
 #include "corpus/campaign/case_run.hpp"
 #include "corpus/campaign/certified_surface.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/report/finding.hpp"
 #include "corpus/shrink/shrink_recipe.hpp"
 #include "corpus/shrink/shrink_surface.hpp"
@@ -61,9 +62,7 @@ class Reproduction {
     return false;
   }
 
-  bool is_it(const Judgement& judgement) const {
-    return judgement.outcome == group_.outcome && judgement.signature == group_.signature;
-  }
+  bool is_it(const Judgement& judgement) const { return belongs_to(judgement, group_); }
 
   // All repeats on one surface. The folder of the first failing run stays until this object ends.
   struct Count {
@@ -110,10 +109,12 @@ Smaller shrink(const FuzzSurface& original, Reproduction& reproduction, const Ca
   const StillFails fails = [&](const TriangleSurface& candidate) { return reproduction.fails(candidate); };
   Smaller smaller{original.surface};
   std::string steps;
+  bool recipes_finished = true;
   // Simpler recipes first: pruning the construction takes whole parts at once. Half of the time at most.
   if (!original.recipe.kind.empty()) {
     RecipeShrinkResult simpler = shrink_recipe(
         original, fails, {.seconds = options.shrink_s / 2, .threads = options.threads, .seed = options.seed});
+    recipes_finished = simpler.finished;
     if (simpler.steps > 0 && simpler.confirmed) {
       smaller.surface = std::move(simpler.surface.surface);
       smaller.recipe = recipe_text(simpler.surface.recipe);
@@ -131,7 +132,8 @@ Smaller shrink(const FuzzSurface& original, Reproduction& reproduction, const Ca
     smaller.recipe.clear();
     steps += (steps.empty() || result.steps.empty() ? "" : ", ") + result.steps;
   }
-  if (!result.finished) steps += (steps.empty() ? "" : ", ") + std::string("stopped by --shrink");
+  if (!recipes_finished || !result.finished)
+    steps += (steps.empty() ? "" : ", ") + std::string("stopped by --shrink");
   smaller.steps = steps;
   return smaller;
 }
@@ -187,6 +189,11 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
 }
 
 }  // namespace
+
+bool belongs_to(const Judgement& judgement, const FailureGroup& group) {
+  return judgement.outcome == group.outcome &&
+         as_journalled({.signature = judgement.signature}).signature == group.signature;
+}
 
 int runs_to_fail(int failed, int repeats) {
   if (failed <= 0 || repeats <= 1 || failed >= repeats) return 1;

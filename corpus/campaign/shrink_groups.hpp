@@ -11,6 +11,10 @@
 
 namespace tetproof::corpus {
 
+/// Whether a run fails as the group does. The group's signature comes from the journal, which replaces bytes
+/// that are no UTF-8 and cuts long text.
+bool belongs_to(const Judgement& judgement, const FailureGroup& group);
+
 /// How often a case that failed in `failed` of `repeats` runs must run so that it fails at least once with a
 /// probability of 99 %; at most 50.
 int runs_to_fail(int failed, int repeats);

@@ -77,6 +77,18 @@ std::int64_t new_groups(const CampaignResult& result) {
                        [](const FailureGroup& group) { return !group.known; });
 }
 
+bool nothing_judged(const CampaignResult& result) {
+  const Tally all = tally_of_all(result);
+  return all.cases() > 0 && all.count(Outcome::sound) + all.findings() == 0;
+}
+
+std::int64_t partly_unjudged(const CampaignResult& result) {
+  return std::count_if(result.cases.begin(), result.cases.end(), [](const CaseResult& one) {
+    return std::any_of(one.further.begin(), one.further.end(),
+                       [](const FurtherFailure& further) { return is_unjudged(further.outcome); });
+  });
+}
+
 std::string summary_line(const CampaignResult& result) {
   const Tally all = tally_of_all(result);
   const std::int64_t fresh = new_groups(result);
@@ -91,6 +103,11 @@ std::string summary_line(const CampaignResult& result) {
       line += fmt::format(", {} {}", all.count(outcome), name_of(outcome));
   if (all.unjudged() > 0)
     line += fmt::format("; nothing is said of {}", io::counted(all.unjudged(), "cases"));
+  if (const std::int64_t cases = partly_unjudged(result); cases > 0)
+    line += fmt::format("; some runs of {} were not judged", io::counted(cases, "cases"));
+  if (nothing_judged(result)) line += "; not one mesh was judged";
+  if (const auto& ids = result.settings.judge.check; !ids.empty())
+    line += fmt::format("; judged by {} only", fmt::join(ids, ", "));
   if (!result.missing.empty()) line += "; not all cases were run";
   return line;
 }

@@ -12,7 +12,7 @@
 
 namespace tetproof::corpus {
 
-/// The number of cases with each outcome, and the cases with other findings among their repeats.
+/// The number of cases with each outcome.
 struct Tally {
   std::array<std::int64_t, outcome_count> of{};
   std::int64_t cases() const;
@@ -36,6 +36,12 @@ std::string kind_of_recipe(const std::string& recipe);
 
 /// New groups: those that are not known.
 std::int64_t new_groups(const CampaignResult& result);
+
+/// Whether there were cases, and no run gave anything to judge: all were refused.
+bool nothing_judged(const CampaignResult& result);
+
+/// Cases of which some runs, but not the worst, were not judged.
+std::int64_t partly_unjudged(const CampaignResult& result);
 
 /// The first line of every report: how much was run, what was found, and what was not looked at.
 std::string summary_line(const CampaignResult& result);

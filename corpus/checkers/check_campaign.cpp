@@ -10,7 +10,7 @@
 #include <optional>
 #include <tuple>
 
-#include "corpus/campaign/case_run.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/campaign/share_work.hpp"
 #include "corpus/checkers/held_exactly.hpp"
 #include "corpus/checkers/planted_case.hpp"
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 class Campaign {
  public:
-  Campaign(const std::vector<Checker>& checkers, const CheckOptions& options)
+  Campaign(const std::vector<Checker>& checkers, const JudgingOptions& options)
       : checkers_(checkers), options_(options), kinds_(checked_kinds(options.kinds)), scratch_("") {
     for (const Checker& checker : checkers) readers_.emplace_back(checker.rule);
   }
@@ -101,7 +101,7 @@ class Campaign {
   }
 
   const std::vector<Checker>& checkers_;
-  const CheckOptions& options_;
+  const JudgingOptions& options_;
   std::vector<std::string> kinds_;
   std::vector<AnswerReader> readers_;
   ScratchFolder scratch_;
@@ -174,11 +174,11 @@ void keep_meshes(CheckResult& result, const std::string& folder) {
 
 }  // namespace
 
-std::uint64_t case_count(const CheckOptions& options) {
+std::uint64_t case_count(const JudgingOptions& options) {
   return options.each * checked_kinds(options.kinds).size();
 }
 
-CheckResult run_checkers(const std::vector<Checker>& checkers, const CheckOptions& options) {
+CheckResult run_checkers(const std::vector<Checker>& checkers, const JudgingOptions& options) {
   CheckResult result = Campaign(checkers, options).run();
   result.findings = findings_of(result);
   if (!options.folder.empty()) keep_meshes(result, options.folder);

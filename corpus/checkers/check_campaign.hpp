@@ -52,7 +52,7 @@ struct CheckedCase {
   std::string what;       ///< what the checker said, or why it was not asked
 };
 
-struct CheckOptions {
+struct JudgingOptions {
   std::uint64_t seed = 1;
   std::uint64_t each = 3;            ///< meshes of each kind
   std::vector<std::string> kinds{};  ///< empty: all
@@ -80,11 +80,11 @@ struct CheckResult {
 };
 
 /// The number of meshes.
-std::uint64_t case_count(const CheckOptions& options);
+std::uint64_t case_count(const JudgingOptions& options);
 
 /// Asks. The result is the same for any number of threads. InputError for an unknown kind, a wrong
 /// expression or a program that is not there.
-CheckResult run_checkers(const std::vector<Checker>& checkers, const CheckOptions& options);
+CheckResult run_checkers(const std::vector<Checker>& checkers, const JudgingOptions& options);
 
 /// Counts by grade.
 using GradeCounts = std::array<std::int64_t, grade_count>;

@@ -172,7 +172,7 @@ std::string check_junit(const CheckResult& result) {
     for (const std::string& kind : result.kinds) {
       const GradeCounts counts = count_grades(result, checker.name, kind);
       if (sum_where(counts, is_finding) == 0) {
-        if (sum_where(counts, is_unasked) == total(counts))
+        if (sum_where(counts, is_unasked) > 0)
           suite.skip(kind, cell(counts));
         else
           suite.pass(kind);

@@ -57,6 +57,7 @@ std::string labelled(const std::vector<std::string>& lines, std::size_t first, s
 
 /// CGAL prints "CGAL error: assertion violation!" and then Expression, File, Line and Explanation.
 std::optional<CrashWords> cgal(const std::vector<std::string>& lines, std::size_t i) {
+  if (says(lines[i], "cgal warning")) return std::nullopt;  // it goes on
   if (!says(lines[i], "cgal error: ") && !says(lines[i], "violation!")) return std::nullopt;
   std::string expression = labelled(lines, i, "Expr"), explanation = labelled(lines, i, "Expl");
   const std::string file = last_part(labelled(lines, i, "File")), number = labelled(lines, i, "Line");

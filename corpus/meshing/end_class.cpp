@@ -114,6 +114,12 @@ constexpr std::array chatter{Words{"mesh generation error summary"},
                              Words{"check the full log"},
                              Words{"degenerated elements removed"},
                              Words{"0 error"},
+                             Words{"checking"},
+                             Words{"no overlapping"},
+                             Words{"no self-intersect"},
+                             Words{"0 self-intersect"},
+                             Words{"0 overlapping"},
+                             Words{"0 degenerate"},
                              Words{"bytes of output were cut here"}};
 
 template <std::size_t n>
@@ -193,7 +199,8 @@ EndClass classify_end(const ProcessEnd& end) {
   if (end.limit == Limit::wall) return fail(Outcome::slow, "wall time limit", telling_line(lines));
 
   // A shell or a wrapper that passes a signal on exits with 128 and its number.
-  const bool wrapped = end.signal == 0 && end.exit_code > 128 && is_crash(end.exit_code - 128);
+  const bool wrapped = end.signal == 0 && end.exit_code > 128 &&
+                       (is_crash(end.exit_code - 128) || end.exit_code == 128 + SIGKILL);
   const int signal = wrapped ? end.exit_code - 128 : end.signal;
   const bool success = signal == 0 && end.exit_code == 0;
 
@@ -203,13 +210,18 @@ EndClass classify_end(const ProcessEnd& end) {
     result.by_exit = signal == 0;
     return fail(Outcome::crashed, crash->signature, crash->message);
   }
-  if (const std::string* line = first_with(lines, absent))
+  // A program that goes on without it says so as a warning; a banner may list what its build lacks.
+  if (const std::string* line = first_with(lines, absent);
+      line && (!success || says(*line, "warning") || says(*line, "error")))
     return fail(Outcome::not_compiled_in, without_numbers(*line), *line);
   if (success) return result;
   if (const std::string* line = first_with(lines, no_memory))
     return fail(Outcome::out_of_memory, without_numbers(*line), *line);
   if (signal == SIGKILL)  // not ours: so the kernel does where the machine has no memory left
     return fail(Outcome::out_of_memory, "killed by SIGKILL", "SIGKILL, which was not sent from here");
+
+  if (signal == SIGTERM || signal == SIGINT || signal == SIGHUP)  // of a scheduler or a user
+    return fail(Outcome::not_judged, "ended by " + signal_name(signal), signal_name(signal));
 
   const bool threw_int = std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
     return says(line, "throwing an instance of 'int'");

@@ -73,8 +73,9 @@ class Judge {
     against.coarse = coarse_;
     against.strict_topology = !coarse_;
     if (against.check.empty()) against.check = checks_of_pass_2();
-    // The box of a grid from a coarse lattice says nothing.
-    if (coarse_) std::erase(against.check, verify::info(verify::Check::bounding_box).id);
+    // The box of a grid from a coarse lattice says nothing. (An empty list would mean all checks.)
+    if (coarse_ && against.check.size() > 1)
+      std::erase(against.check, verify::info(verify::Check::bounding_box).id);
     if (!passes(verify::verify(run_.mesh, surface_, against), Outcome::wrong_against_surface) &&
         judgement_.outcome == Outcome::wrong_against_surface && options_.check.empty())
       name_region(against);
@@ -140,10 +141,8 @@ class Judge {
   Judgement judgement_;
 };
 
-}  // namespace
-
-Judgement judge_run(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
-                    const JudgeOptions& options) {
+Judgement judge_against(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
+                        const JudgeOptions& options) {
   if (run.failure) return {.outcome = *run.failure, .signature = run.signature, .what = run.message};
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -157,6 +156,22 @@ Judgement judge_run(const MesherRun& run, const Mesher& mesher, const verify::Ju
   }
   judgement.seconds = seconds();
   return judgement;
+}
+
+}  // namespace
+
+Judgement judge_run(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
+                    const JudgeOptions& options) {
+  if (run.given) {
+    // Its file rounded the surface: what the mesher got counts, and it may be no valid surface any more.
+    const verify::JudgedSurface given(*run.given);
+    if (!given.report().fault.empty())
+      return {.outcome = Outcome::not_judged,
+              .signature = "the file rounds the surface to an invalid one",
+              .what = given.report().fault};
+    return judge_against(run, mesher, given, options);
+  }
+  return judge_against(run, mesher, surface, options);
 }
 
 }  // namespace tetproof::corpus

@@ -37,7 +37,7 @@ struct Judgement {
 /// Judges. Pass 1 judges the mesh alone. Pass 2 compares it with the surface: distance, volume, regions, and
 /// topology always. The tolerance of pass 2 is `tolerance` (or the mesher's own `fidelity`) times the
 /// diagonal, plus eight units in the last place of the largest coordinate, plus half a unit of the last digit
-/// that a text file has.
+/// that a text file has. If the surface's file rounded it, the mesh is compared with what the mesher got.
 Judgement judge_run(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
                     const JudgeOptions& options = {});
 

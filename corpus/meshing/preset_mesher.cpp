@@ -114,6 +114,8 @@ std::unique_ptr<Mesher> preset_mesher(const std::string& name, const std::string
   tool.repeats = variant->repeats;
   tool.digits = preset.digits;
   tool.own_verdict_exit = preset.own_verdict_exit;
+  tool.own_failure_exit = preset.own_failure_exit;
+  tool.partly_judged_exit = preset.partly_judged_exit;
   tool.coarse = preset.coarse;
   tool.version = version_of(preset, tool.program);
   return tool_mesher(std::move(tool));

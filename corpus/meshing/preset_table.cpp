@@ -131,6 +131,8 @@ Preset tetproof() {
       0.09;  // one cell: the box is 1.2 times the surface's, a cell at most a 24th of it along each axis
   p.digits = 0;
   p.own_verdict_exit = 1;
+  p.own_failure_exit = 3;
+  p.partly_judged_exit = 4;
   p.coarse = true;
   const auto words = [](const std::string& cells) {
     return Words{"tetproof-mesh", "{surface}", "-o", "{mesh}",    "--binary", "--cells",

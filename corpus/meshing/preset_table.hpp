@@ -26,10 +26,10 @@ struct Preset {
   std::string surface_ending, mesh_file;
   bool may_change_boundary = false;
   double fidelity = 0;
-  int digits = -1;                      ///< as in `Tool`
-  int own_verdict_exit = 0;             ///< as in `Tool`
-  bool coarse = false;                  ///< as in `Mesher`
-  std::vector<PresetVariant> variants;  ///< the first is the default
+  int digits = -1;                                                         ///< as in `Tool`
+  int own_verdict_exit = 0, own_failure_exit = 0, partly_judged_exit = 0;  ///< as in `Tool`
+  bool coarse = false;                                                     ///< as in `Mesher`
+  std::vector<PresetVariant> variants;                                     ///< the first is the default
 };
 
 const std::vector<Preset>& preset_table();

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -40,11 +41,15 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
   ~Pipe() {
-    ::close(ends_[0]);
+    close_reader();
     close_writer();
   }
   int reader() const { return ends_[0]; }
   int writer() const { return ends_[1]; }
+  void close_reader() {
+    if (ends_[0] >= 0) ::close(ends_[0]);
+    ends_[0] = -1;
+  }
   void close_writer() {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
@@ -138,6 +143,17 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
   if (warden < 0) fail("fork");
   output.close_writer();
   results.close_writer();
+  // The warden ends, and is waited for, even if its output cannot be kept.
+  struct Waits {
+    Pipe& output;
+    pid_t warden;
+    ~Waits() {
+      output.close_reader();
+      while (::waitpid(warden, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+  };
+  std::optional<Waits> waits(std::in_place, output, warden);
 
   KeptOutput kept(options.most_output);
   std::vector<char> buffer(1 << 16);
@@ -151,8 +167,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
     if (got == 0) break;
     have += got;
   }
-  while (::waitpid(warden, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  waits.reset();
   if (have < sizeof report)
     throw std::runtime_error("the process that watches " + command[0] + " was killed");
   if (report.bad_folder) throw std::system_error(report.error, std::generic_category(), options.folder);

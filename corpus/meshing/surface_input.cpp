@@ -29,7 +29,8 @@ void write_smesh(const std::string& path, const TriangleSurface& surface) {
   for (int part = 0; part < parts.parts(); ++part) {
     if (parts.depth[static_cast<std::size_t>(part)] % 2 == 0) continue;
     const auto point = point_in(surface, parts, part);
-    if (!point) throw InputError(path + ": no point can be named in a cavity, which is too thin for doubles");
+    if (!point)
+      throw NoPointInCavity(path + ": no point can be named in a cavity, which is too thin for doubles");
     document.holes.push_back(*point);
   }
   write_document(path, document, {.format = "smesh"});

@@ -6,9 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "io/error.hpp"
 #include "io/triangle_surface.hpp"
 
 namespace tetproof::corpus {
+
+/// A format asks for a point in each cavity, and there is no double in one of them.
+struct NoPointInCavity : InputError {
+  using InputError::InputError;
+};
 
 /// What a mesher is given.
 struct SurfaceInput {

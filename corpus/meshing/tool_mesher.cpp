@@ -79,16 +79,17 @@ class ToolMesher : public Mesher {
     MesherRun run;
     run.mesh_file = folder + "/" + tool_.mesh_file;
     remove_old(run.mesh_file);
-    const SurfaceInput input = write_surface_input(folder + "/surface", tool_.surface_ending, surface);
+    SurfaceInput input;
+    try {
+      input = write_surface_input(folder + "/surface", tool_.surface_ending, surface);
+    } catch (const NoPointInCavity& reason) {  // nothing is said of the mesher, and the campaign goes on
+      run.failure = Outcome::not_judged;
+      run.signature = "its format cannot hold the surface";
+      run.message = reason.what();
+      return run;
+    }
     run.given = input.given;
-    const double box = diagonal(surface);
-    const auto number = [](double value) { return fmt::format("{:.6g}", value); };
-    const Placeholders values{{"{surface}", input.files[0]},
-                              {"{mesh}", run.mesh_file},
-                              {"{box}", number(box)},
-                              {"{size}", number(box / 12)},
-                              {"{distance}", number(box * 4e-4)},
-                              {"{volume}", number(volume(surface) / 200)}};
+    const Placeholders values = placeholders(surface, input.files[0], run.mesh_file);
     std::vector<std::string> command = replaced(tool_.words, values);
     if (!tool_.program.empty()) command[0] = tool_.program;
 
@@ -102,8 +103,11 @@ class ToolMesher : public Mesher {
     run.wall_s = end.wall_s;
     run.peak_mb = end.peak_mb;
 
+    if (end.exit_code != 0 && end.exit_code == tool_.partly_judged_exit) end.exit_code = 0;
     EndClass found = classify_end(end);
-    if (tool_.own_verdict_exit != 0 && end.exit_code == tool_.own_verdict_exit) says_no(end, found);
+    const bool gave_up = found.failure == Outcome::refused || found.failure == Outcome::refused_valid;
+    if (gave_up && end.exit_code == tool_.own_verdict_exit) says_no(end, found);
+    if (gave_up && end.exit_code == tool_.own_failure_exit) found.failure = Outcome::crashed;
     if (found.wants_backtrace) add_backtrace(command, options, found);
     run.failure = found.failure;
     run.signature = std::move(found.signature);
@@ -126,7 +130,8 @@ class ToolMesher : public Mesher {
  private:
   // It judged its own mesh, and says that it is none: it gave up, and its words are not about the surface.
   static void says_no(const ProcessEnd& end, EndClass& found) {
-    found = {.failure = Outcome::refused, .signature = "its own verdict", .message = "its own verdict"};
+    found.failure = Outcome::refused;
+    found.signature = found.message = "its own verdict";
     for (const std::string& line : output_lines(end.output))
       if (says(line, "defective: ") || says(line, "empty")) {
         found.signature += ": " + without_numbers(line.substr(0, line.find(';')));
@@ -178,6 +183,18 @@ class ToolMesher : public Mesher {
 };
 
 }  // namespace
+
+Placeholders placeholders(const TriangleSurface& surface, const std::string& surface_file,
+                          const std::string& mesh_file) {
+  const double box = diagonal(surface);
+  const auto number = [](double value) { return fmt::format("{:.6g}", value); };
+  return {{"{surface}", surface_file},
+          {"{mesh}", mesh_file},
+          {"{box}", number(box)},
+          {"{size}", number(box / 12)},
+          {"{distance}", number(box * 4e-4)},
+          {"{volume}", number(volume(surface) / 200)}};
+}
 
 std::unique_ptr<Mesher> tool_mesher(Tool tool) {
   return std::make_unique<ToolMesher>(std::move(tool));

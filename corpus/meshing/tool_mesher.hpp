@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/meshing/command_words.hpp"
 #include "corpus/meshing/mesher.hpp"
 
 namespace tetproof::corpus {
@@ -22,12 +23,18 @@ struct Tool {
   bool may_change_boundary = false;
   double fidelity = 0;
   int repeats = 1;
-  int digits = -1;           ///< as in `MesherRun`; -1: as the file shows
-  int own_verdict_exit = 0;  ///< the exit code with which it says that its own mesh is empty or defective
-  bool coarse = false;       ///< as in `Mesher`
+  int digits = -1;  ///< as in `MesherRun`; -1: as the file shows
+  /// Exit codes that mean more than "gave up", 0: none. It says that its own mesh is empty or defective; that
+  /// it broke down; that it judged a part of its mesh only, which it has written.
+  int own_verdict_exit = 0, own_failure_exit = 0, partly_judged_exit = 0;
+  bool coarse = false;  ///< as in `Mesher`
   std::vector<std::string> environment{};
   std::string version{};
 };
+
+/// What a command's words stand for, for this surface: as `Tool::words` says.
+Placeholders placeholders(const TriangleSurface& surface, const std::string& surface_file,
+                          const std::string& mesh_file);
 
 std::unique_ptr<Mesher> tool_mesher(Tool tool);
 

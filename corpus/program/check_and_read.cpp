@@ -95,15 +95,17 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw InputError(fmt::format("{}: cannot make this folder", folder));
+  if (std::filesystem::exists(folder + "/findings"))
+    throw InputError(fmt::format("{}: it has findings of an earlier run: give another folder", folder));
 }
 
 int judge(const FuzzArguments& a, const program::Common& common, const program::FilesInUse& files) {
   const std::vector<Checker> checkers = checkers_of(a);
-  CheckOptions options{.seed = a.seed,
-                       .kinds = a.surfaces.kinds,
-                       .limits = a.limits,
-                       .threads = common.threads,
-                       .folder = a.out};
+  JudgingOptions options{.seed = a.seed,
+                         .kinds = a.surfaces.kinds,
+                         .limits = a.limits,
+                         .threads = common.threads,
+                         .folder = a.out};
   if (a.cases_given) options.each = a.cases;
   const std::uint64_t cases = case_count(options) * checkers.size();
   make_folder(a.out);
@@ -143,7 +145,8 @@ int read(const FuzzArguments& a, const program::Common& common, const program::F
   if (std::any_of(result.groups.begin(), result.groups.end(),
                   [](const ReadGroup& group) { return !group.known; }))
     return program::wrong;
-  return refused_valid_files(result).empty() ? program::sound : program::incomplete;
+  return refused_valid_files(result).empty() && result.not_applied.empty() ? program::sound
+                                                                           : program::incomplete;
 }
 
 void check_use(const FuzzArguments& a) {
@@ -163,6 +166,8 @@ void check_use(const FuzzArguments& a) {
   refuse(!a.judge.check.empty(), "--check");
   refuse(a.repeats != 0, "--repeat");
   refuse(!a.surfaces.modifiers.empty(), "--modifiers");
+  refuse(a.surfaces.extreme_sizes, "--extreme-sizes");
+  refuse(a.surfaces.most_triangles != FuzzOptions{}.most_triangles, "--most-triangles");
   refuse(judges && !a.known.empty(), "--known");
   refuse(judges && a.shrink_s > 0, "--shrink");
   refuse(!judges && (!a.others.says.empty() || !a.others.says_sound.empty()), "--says");

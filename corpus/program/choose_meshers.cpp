@@ -2,8 +2,7 @@
 // Makes the meshers that a command line or a journal names.
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "corpus/meshing/command_words.hpp"
 #include "corpus/program/fuzz_options.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
@@ -11,20 +10,19 @@
 namespace tetproof::corpus {
 namespace {
 
-bool has(const std::vector<std::string>& words, const char* part) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return word.find(part) != std::string::npos; });
-}
-
 std::string ending_of_format(const std::string& name) {
   return format_named(name).endings.front();
 }
 
 ChosenMesher command(const MesherArguments& a) {
-  for (const char* part : {"{surface}", "{mesh}"})
-    if (!has(a.command, part))
-      throw InputError(
-          fmt::format("COMMAND: expected {} among its words, found '{}'", part, fmt::join(a.command, " ")));
+  const MesherArguments usual;
+  if (!has_part(a.command, "{surface}"))
+    throw InputError(
+        fmt::format("COMMAND: expected {{surface}} among its words, found '{}'", command_line(a.command)));
+  // A mesher that takes no name for its mesh puts it beside the surface: surface.1.ele.
+  if (!has_part(a.command, "{mesh}") && a.mesh_ending == usual.mesh_ending)
+    throw InputError(fmt::format("COMMAND: expected {{mesh}} among its words, or --mesh-ending, found '{}'",
+                                 command_line(a.command)));
   if (!a.mesh_ending.starts_with('.'))
     throw InputError(
         fmt::format("--mesh-ending: expected a dot first, as in .msh, found '{}'", a.mesh_ending));
@@ -34,7 +32,6 @@ ChosenMesher command(const MesherArguments& a) {
                                   .surface_ending = ending_of_format(a.surface_format),
                                   .mesh_ending = a.mesh_ending,
                                   .name = a.name});
-  const MesherArguments usual;
   if (a.surface_format != usual.surface_format)
     chosen.words.insert(chosen.words.end(), {"--surface-format", a.surface_format});
   if (a.mesh_ending != usual.mesh_ending)

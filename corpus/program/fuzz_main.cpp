@@ -4,11 +4,10 @@
 
 #include <CGAL/version.h>
 
-#include <algorithm>
-
 #include "corpus/campaign/journal.hpp"
 #include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/shards.hpp"
+#include "corpus/campaign/tallies.hpp"
 #include "corpus/checkers/checker.hpp"
 #include "corpus/fuzz_campaign.hpp"
 #include "corpus/program/check_and_read.hpp"
@@ -38,11 +37,10 @@ constexpr const char* examples =
     "  tetproof-fuzz --reader 'my-reader {file}' --formats msh41,vtu --out crashes --shrink 30\n";
 
 int exit_code(const CampaignResult& result) {
-  if (std::any_of(result.groups.begin(), result.groups.end(), [](const auto& group) { return !group.known; }))
-    return program::wrong;
-  const bool unjudged = std::any_of(result.cases.begin(), result.cases.end(),
-                                    [](const CaseResult& one) { return is_unjudged(one.outcome); });
-  return unjudged || !result.missing.empty() ? program::incomplete : program::sound;
+  if (new_groups(result) > 0) return program::wrong;
+  const bool open = tally_of_all(result).unjudged() > 0 || partly_unjudged(result) > 0 ||
+                    nothing_judged(result) || !result.missing.empty();
+  return open ? program::incomplete : program::sound;
 }
 
 // Writes what was asked for, and the same into the campaign's folder.
@@ -105,10 +103,14 @@ CampaignResult run(const FuzzArguments& a, const program::Common& common) {
 void check_usage(const FuzzArguments& a) {
   for (const std::string& id : a.judge.check) verify::check_of_id(id);
   random_recipe(a.seed, 0, a.surfaces);  // throws for unknown kinds and modifiers
-  if (a.shrink_s > 0 && a.out.empty()) throw InputError("--shrink needs --out DIR");
   if (!a.merge.empty() && (!a.replay.empty() || !a.mesher.command.empty() || !a.mesher.presets.empty()))
     throw InputError("--merge runs nothing: leave --replay, --mesher and COMMAND out");
-  if (!a.replay.empty() && !a.junit.empty()) throw InputError("--junit is not for --replay");
+  if (!a.merge.empty() &&
+      (a.shrink_s > 0 || !a.shard.empty() || !a.shards.empty() || !a.judge.check.empty() || a.repeats != 0))
+    throw InputError("--merge runs nothing: leave --shrink, --shard, --check and --repeat out");
+  if (a.shrink_s > 0 && a.out.empty()) throw InputError("--shrink needs --out DIR");
+  if (!a.replay.empty() && (!a.junit.empty() || a.shrink_s > 0 || !a.known.empty()))
+    throw InputError("--junit, --shrink and --known are not for --replay");
 }
 
 int work(const FuzzArguments& a, const program::Common& common) {
@@ -140,13 +142,15 @@ int work(const FuzzArguments& a, const program::Common& common) {
 int main(int argc, char** argv) {
   const program::Description description{
       "Runs a mesher on random closed surfaces that are valid, proved exactly, and hard; judges each mesh as "
-      "tetproof-verify does; groups what fails by its cause and makes it small. Exit code 0: all meshes are "
-      "sound, or were refused, or fail in a known way; 1: new findings; 2: bad usage; 3: own failure; 4: no "
-      "finding, but there were runs of which nothing can be said: slow, out of memory, not judged, not "
-      "compiled in, or shards are missing. The same for checkers on planted meshes (1: a defect missed, a "
-      "sound "
-      "mesh refused, a crash) and for readers of damaged files (1: a crash, a hang, all memory taken; 4: it "
-      "refuses valid files, too).",
+      "tetproof-verify does; groups what fails by its cause and makes it small. Exit code 0: the meshes are "
+      "sound or fail in a known way; some may be refused, but not all; 1: new findings; 2: bad usage; 3: own "
+      "failure; 4: no finding, but there were runs of which nothing can be said: slow, out of memory, not "
+      "judged, not compiled in; or not one mesh was judged, or shards are missing. The same for checkers on "
+      "planted meshes (1: a defect missed, a sound mesh called defective, a crash; 4: no verdict on a mesh, "
+      "or "
+      "a format that cannot hold its defect) and for readers of damaged files (1: a crash, a hang, all "
+      "memory "
+      "taken; 4: it refuses valid files too, or a kind of damage applied to none).",
       examples,
       {"CGAL " CGAL_VERSION_STR}};
   return program::run(argc, argv, description,

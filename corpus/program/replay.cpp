@@ -9,6 +9,7 @@
 
 #include "corpus/campaign/case_run.hpp"
 #include "corpus/campaign/certified_surface.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/campaign/settings.hpp"
 #include "corpus/program/replay_case.hpp"
 #include "io/bytes/words.hpp"

@@ -32,11 +32,12 @@ DamagedFile DamagedFiles::file(std::uint64_t index) const {
       .sample = samples_[k % samples_.size()], .damage = "none", .done = "no damage applies to it"};
   file.part = static_cast<std::size_t>(random.below(static_cast<int>(file.sample.parts.size())));
   std::string& bytes = file.sample.parts[file.part].bytes;
-  // What does not apply to this file gives way to the next kind.
+  // What does not apply to this file, or leaves it as it was, gives way to the next kind.
+  const std::string before = bytes;
   const std::uint64_t first = k / samples_.size() + k % samples_.size();
   for (std::uint64_t d = 0; d < kinds_.size(); ++d) {
     const DamageKind& kind = kinds_[(first + d) % kinds_.size()];
-    if (const auto done = kind.apply(bytes, random)) {
+    if (const auto done = kind.apply(bytes, random); done && bytes != before) {
       file.damage = kind.id;
       file.done = *done;
       if (file.sample.parts.size() > 1) file.done += " of " + file.sample.parts[file.part].ending;

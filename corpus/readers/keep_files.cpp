@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "corpus/campaign/case_run.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/meshing/command_words.hpp"
 #include "corpus/readers/shrink_file.hpp"
 #include "io/bytes/atomic_file.hpp"
@@ -54,6 +54,7 @@ std::string readme(const ReadResult& result, const ReadGroup& group, const std::
   if (group.shrunk)
     text += fmt::format("Lines and bytes were left out as long as it failed: {} of {} bytes are left.\n",
                         *group.shrunk, first.bytes);
+  if (group.unseen_again) text += "It did not fail again in one further run.\n";
   text += fmt::format("It says: {}\nAgain: {}\n", first.run.message,
                       command_line(replaced(result.reader.words,
                                             {{"{file}", name}, {"{stem}", fs::path(name).stem().string()}})));
@@ -79,6 +80,8 @@ void keep_files(ReadResult& result, const DamageOptions& options, const DamagedF
         bytes = shrink_file(
             bytes, [&](const std::string& fewer) { return fails(fewer); }, options.shrink_s);
         group.shrunk = file.sample.size();
+      } else {
+        group.unseen_again = true;
       }
     }
     const std::string path = write_parts(file.sample, place.string());

@@ -9,7 +9,8 @@
 #include <mutex>
 #include <set>
 
-#include "corpus/campaign/case_run.hpp"
+#include "corpus/campaign/known_groups.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/campaign/share_work.hpp"
 #include "corpus/readers/damaged_file.hpp"
 #include "corpus/readers/keep_files.hpp"
@@ -98,11 +99,7 @@ std::vector<ReadGroup> groups_of(const ReadResult& result, const std::vector<std
 }  // namespace
 
 std::string ReadGroup::id() const {
-  std::string text = reader + ":" + name_of(reading) + ":" + signature;
-  for (char& c : text)  // a file of known groups has one a line
-    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
+  return group_id(reader, name_of(reading), signature);
 }
 
 ReadResult run_reader_campaign(const Reader& reader, const DamageOptions& options) {
@@ -113,6 +110,10 @@ ReadResult run_reader_campaign(const Reader& reader, const DamageOptions& option
     if (std::none_of(result.groups.begin(), result.groups.end(),
                      [&](const ReadGroup& group) { return group.id() == id; }))
       result.known_unseen.push_back(id);
+  for (const std::string& id : options.damages)
+    if (std::none_of(result.cases.begin(), result.cases.end(),
+                     [&](const ReadCase& one) { return one.damage == id; }))
+      result.not_applied.push_back(id);
   if (!options.folder.empty()) keep_files(result, options, files);
   return result;
 }

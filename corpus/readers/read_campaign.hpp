@@ -65,6 +65,7 @@ struct ReadGroup {
   bool known = false;
   std::string file{};                    ///< in the folder; empty: none is kept
   std::optional<std::int64_t> shrunk{};  ///< bytes after shrinking
+  bool unseen_again = false;             ///< the file did not fail once more, and so was not shrunk
   std::string id() const;                ///< "my-reader:crashed:SIGSEGV in f < g"
 };
 
@@ -87,6 +88,7 @@ struct ReadResult {
   std::vector<ReadCase> cases;  ///< in the order of their indices: first the valid files
   std::vector<ReadGroup> groups;
   std::vector<std::string> known_unseen{};
+  std::vector<std::string> not_applied{};  ///< kinds of damage that were asked for, and that no file got
 };
 
 /// Runs. Everything but backtraces and limits of time is the same for any number of threads. InputError for

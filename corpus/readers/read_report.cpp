@@ -102,6 +102,7 @@ std::string details(const ReadGroup& group) {
                                  first.document, io::counted(first.bytes, "bytes"), first.damage, first.done);
   if (!first.run.message.empty()) text += "says: " + printable(first.run.message) + "\n";
   if (group.shrunk) text += fmt::format("shrunk: {}\n", io::counted(*group.shrunk, "bytes"));
+  if (group.unseen_again) text += "did not fail again in one further run\n";
   if (!group.file.empty()) text += "file: " + group.file + "\n";
   return text;
 }
@@ -146,6 +147,7 @@ std::string read_text(const ReadResult& result) {
   }
   for (const std::string& id : result.known_unseen)
     text += "known, and did not occur: " + printable(id) + "\n";
+  for (const std::string& id : result.not_applied) text += "asked for, and applied to no file: " + id + "\n";
   for (const ReadCase* one : refused_valid_files(result))
     text += fmt::format("refused, though valid: {} ({}): {}\n", one->form, one->document,
                         printable(one->run.message));
@@ -170,6 +172,7 @@ std::string read_json(const ReadResult& result) {
              {"known", group.known},
              {"file", group.file},
              {"shrunk", nullptr},
+             {"unseen_again", group.unseen_again},
              {"cases", Json::array()}};
     if (group.shrunk) one["shrunk"] = *group.shrunk;
     for (const ReadCase& member : group.cases) one["cases"].push_back(case_json(member));
@@ -182,6 +185,7 @@ std::string read_json(const ReadResult& result) {
   json["refused_valid"] = std::move(refused);
   json["unnoticed"] = std::move(unnoticed);
   json["known_unseen"] = result.known_unseen;
+  json["not_applied"] = result.not_applied;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -198,6 +202,7 @@ std::string read_junit(const ReadResult& result) {
   }
   for (const ReadCase* one : refused_valid_files(result))
     suite.skip(fmt::format("{} ({}), valid", one->form, one->document), "refused: " + one->run.message);
+  for (const std::string& id : result.not_applied) suite.skip(id, "applied to no file");
   return junit_document({suite});
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "corpus/block_mesh.hpp"
-#include "corpus/campaign/case_run.hpp"
+#include "corpus/campaign/scratch_folder.hpp"
 #include "corpus/generators/random.hpp"
 #include "corpus/report/boundary_faces.hpp"
 #include "io/bytes/input_file.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus/report/finding.hpp"
+#include "corpus/meshing/tool_mesher.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -138,18 +139,6 @@ GivenMesh give_mesh(const AtomicFolder& to, const MesherRun& run) {
   return given;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
-}
-
-std::string diagonal_of(const TriangleSurface& surface) {
-  Eigen::Vector3d low = surface.vertices.at(0), high = low;
-  for (const Eigen::Vector3d& p : surface.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return fmt::format("{}", (high - low).stableNorm());
-}
-
 const char* headline_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::crashed:
@@ -194,11 +183,17 @@ Statements statements_for(const FindingFacts& facts, const TriangleSurface& surf
     statements.list.push_back(
         {{"kind", "tet_count"}, {"text", fmt::format("{} holds no tetrahedron", mesh.file)}, {"count", 0}});
   if (!of_mesh && outcome != Outcome::no_tetrahedra) {
-    const std::string& said = facts.run.message.empty() ? facts.judgement.signature : facts.run.message;
+    std::string said = facts.run.message.empty() ? facts.judgement.signature : facts.run.message;
+    while (said.ends_with('.')) said.pop_back();
     statements.list.push_back({{"kind", "run"},
-                               {"text", fmt::format("the command ends so ({}): {}", name_of(outcome), said)},
+                               {"text", fmt::format("the command ends so ({}; {}): {}", name_of(outcome),
+                                                    facts.judgement.signature, said)},
                                {"why", "only a run of the mesher shows it"}});
   }
+  if (statements.list.empty())
+    statements.list.push_back({{"kind", "report"},
+                               {"text", "the judge says: " + facts.judgement.what},
+                               {"why", "these are the judge's words"}});
   statements.list.push_back(surface_statement(surface));
   return statements;
 }
@@ -222,11 +217,9 @@ void fill(const AtomicFolder& to, const FindingFacts& facts) {
     to.write("report.json", verify::report_json(*facts.judgement.report, facts.run.numbering));
 
   const std::string mesh_name = mesh.file.empty() ? "mesh" : mesh.file;
-  std::string command = facts.command;
-  if (command.empty())
-    command =
-        replaced(replaced(replaced(facts.mesher->command(), "{surface}", surface_file), "{mesh}", mesh_name),
-                 "{box}", diagonal_of(surface));
+  // The sizes are those of the surface before its file rounded it.
+  const std::string command =
+      replaced(facts.mesher->command(), placeholders(facts.shrunk, surface_file, mesh_name));
   const Statements statements = statements_for(facts, surface, mesh);
   std::string title = fmt::format("{}: {}", facts.mesher->name(), statements.headline);
   to.write("picture.svg",
@@ -238,6 +231,7 @@ void fill(const AtomicFolder& to, const FindingFacts& facts) {
                                 {"command", command},
                                 {"outcome", name_of(facts.judgement.outcome)},
                                 {"signature", facts.judgement.signature},
+                                {"warnings", facts.run.warnings},
                                 {"seed", facts.seed},
                                 {"case", facts.index},
                                 {"recipe", recipe_text(facts.original.recipe)},

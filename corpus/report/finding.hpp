@@ -27,9 +27,6 @@ struct FindingFacts {
   /// else it got) are copied. Empty: the folder of `run.mesh_file`; if there is none, the surface is written
   /// anew.
   std::string run_folder{};
-  /// The exact command, with the names that the files have in the finding; empty: the mesher's command with
-  /// {surface}, {mesh} and {box} filled in.
-  std::string command{};
   std::string since{};  ///< the first version that does it, if known
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "io/bytes/words.hpp"
@@ -49,10 +50,14 @@ std::string readme(const ReadmeFacts& about) {
                       outcome == Outcome::wrong || outcome == Outcome::wrong_against_surface ? of : "", seen);
   if (without_surface)
     text += fmt::format("- **The surface**: {}.\n", statements.list.back().at("text").get<std::string>());
-  text +=
-      "- **Proof**: `python3 ../check.py .` (in `corpus/findings/`) computes this anew from the files, in "
-      "exact "
-      "fractions and by brute force, with Python's standard library and no code of the judge.\n";
+  const bool by_run = std::any_of(statements.list.begin(), statements.list.end(),
+                                  [](const auto& one) { return one.at("kind") == "run"; });
+  text += fmt::format(
+      "- **Proof**: `python3 ../check.py .` (in `corpus/findings/`) {}, in exact fractions and by brute "
+      "force, "
+      "with Python's standard library and no code of the judge.{}\n",
+      by_run ? "proves that the surface is valid" : "computes this anew from the files",
+      by_run ? " How the command ends, only a run of the mesher shows." : "");
   std::string often = facts.repeats > 1
                           ? fmt::format("{} of {} runs of this surface; ", facts.failed, facts.repeats)
                           : std::string();
@@ -65,6 +70,10 @@ std::string readme(const ReadmeFacts& about) {
       io::counted(facts.original.surface.triangles.size(), "triangles"), surface.triangles.size(),
       facts.shrunk_recipe.empty() ? "" : fmt::format(", {}", quoted(facts.shrunk_recipe)),
       facts.shrink_steps.empty() ? "" : fmt::format(" ({})", facts.shrink_steps));
+  if (const auto& warnings = facts.run.warnings; !warnings.empty())
+    text += fmt::format(
+        "- **It warned**: {}{}.\n", quoted(warnings.front()),
+        warnings.size() > 1 ? fmt::format(" and {}", io::counted(warnings.size() - 1, "further lines")) : "");
   if (!facts.since.empty()) text += fmt::format("- **Since**: {}\n", facts.since);
   std::string list;
   for (const std::string& file : files) list += fmt::format("{}`{}`", list.empty() ? "" : ", ", file);

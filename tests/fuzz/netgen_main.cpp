@@ -10,6 +10,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "io/document.hpp"
@@ -87,6 +88,8 @@ int main(int argc, char** argv) {
   }
   try {
     return mesh(argv[1], argv[2], argc > 3 ? argv[3] : nullptr, argc > 4 && std::string(argv[4]) == "raw");
+  } catch (const std::logic_error&) {
+    throw;  // a fault inside the library, and no refusal
   } catch (const std::exception& reason) {
     std::cerr << "Error: " << reason.what() << "\n";
     return 2;

@@ -30,7 +30,7 @@ class Bug:
 
 
 # What becomes of vertices that are merged depends on which they are.
-MERGED = ("wrong-answer:(duplicate-tet|inverted|overlap|flat|nonconforming.*)|no-tetrahedra:no tetrahedra|"
+MERGED = ("wrong-answer:(duplicate-tet|inverted|overlap|flat|non-conforming.*)|no-tetrahedra:no tetrahedra|"
           "wrong-against-surface:(missing-region|excess-region|topology|volume-surface|boundary-nonmanifold-(vertex|edge)|"
           "off-surface-vertex|surface-to-mesh|mesh-to-surface)")
 BUGS = {

@@ -191,13 +191,15 @@ TEST_F(Fuzz, AnotherProcessOnTheSameJournalIsRefused) {
 TEST_F(Fuzz, GoesOnAfterKills) {
   const std::string bug = "duplicate";
   const Outcome whole = fuzz({"--cases", "40", "--out", files / "whole"}, bug);
-  for (int k = 0; k < 5; ++k) {
+  int kills = 0;
+  for (int k = 0; k < 5; ++k, ++kills) {
     const Outcome killed =
         run_program({"timeout", "-s", "KILL", std::to_string(0.2 + 0.15 * k), program("tetproof-fuzz"),
                      "--cases", "40", "--out", files / "out", easy[0], easy[1], easy[2], easy[3], "--",
                      program("tetproof-faulty-mesher"), bug, "{surface}", "{mesh}"});
     if (killed.exit_code != 124 && killed.signal != SIGKILL && killed.exit_code != 137) break;  // it was done
   }
+  EXPECT_GT(kills, 0);
   const Outcome last = fuzz({"--cases", "40", "--out", files / "out"}, bug);
   EXPECT_EQ(last.exit_code, 1) << last;
   EXPECT_EQ(last.out, whole.out);
@@ -205,7 +207,37 @@ TEST_F(Fuzz, GoesOnAfterKills) {
   EXPECT_FALSE(files.has("out/scratch-0-of-1"));
 }
 
+TEST_F(Fuzz, ACampaignWithoutOneMeshIsNotSound) {
+  const Outcome run =
+      plain({"--cases", "2", "--", "sh", "-c", "echo 'Error: no licence'; exit 1", "{surface}", "{mesh}"});
+  EXPECT_EQ(run.exit_code, 4) << run;
+  EXPECT_THAT(run.out, HasSubstr("2 refused; not one mesh was judged"));
+}
+
+TEST_F(Fuzz, SaysByWhichChecksItJudged) {
+  EXPECT_THAT(fuzz({"--check", "flat", "--cases", "2"}, "none").out, HasSubstr("; judged by flat only"));
+  EXPECT_THAT(fuzz({"--cases", "2"}, "none").out, ::testing::Not(HasSubstr("judged by")));
+}
+
+// What STL's floats round is no fault of the mesher.
+TEST_F(Fuzz, ComparesWithTheSurfaceThatTheMesherGot) {
+  const Outcome run = plain({"--cases", "20", "--kinds", "cylinder,uv-sphere,bipyramid", "--modifiers",
+                             "rotate", "--surface-format", "stl", "--", program("tetproof-faulty-mesher"),
+                             "none", "{surface}", "{mesh}"});
+  EXPECT_NE(run.exit_code, 1) << run;
+  EXPECT_THAT(run.out, ::testing::Not(HasSubstr(": 0 sound")));
+}
+
+// The examples of --help: a mesher that puts its mesh beside the surface needs no {mesh}.
+TEST_F(Fuzz, TakesACommandWithoutAPlaceForItsMesh) {
+  const Outcome run = plain({"--cases", "2", "--surface-format", "smesh", "--mesh-ending", ".1.ele", "--",
+                             "sh", "-c", "echo 'Error: no'; exit 1", "{surface}"});
+  EXPECT_EQ(run.exit_code, 4) << run;
+}
+
 TEST_F(Fuzz, WrongUsageIsOneLine) {
+  expect_refused(plain({"--merge", files / "none", "--shrink", "3"}), "--merge runs nothing");
+
   expect_refused(plain({}), "--mesher NAME, or -- COMMAND");
   expect_refused(plain({"--", "tetgen", "{surface}"}), "{mesh}");
   expect_refused(plain({"--", "tetgen", "{mesh}"}), "{surface}");

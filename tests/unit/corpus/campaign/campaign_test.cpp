@@ -172,6 +172,17 @@ TEST(Campaign, KnownGroupsAreCountedAndNotWritten) {
   EXPECT_NE(campaign_junit(result).find("failures=\"0\""), std::string::npos);
 }
 
+// The journal replaces bytes that are no UTF-8: the same words from a new run still are the group's.
+TEST(Campaign, AFailureInLatin1IsFoundAgain) {
+  const ScratchFolder folder;
+  const FakeMesher mesher("fake,a", [](std::uint64_t index, int) {
+    return index == 3 ? FakeRun{Outcome::crashed, "ung\xFCltig"} : FakeRun{Outcome::refused, "no"};
+  });
+  const CampaignResult result = run_campaign({&mesher}, fake_options(5, folder.path()));
+  ASSERT_EQ(result.shrunk.size(), 1u);
+  EXPECT_GT(result.shrunk[0].failed, 0);
+}
+
 TEST(Campaign, NeverSoundOfWhatWasNotLookedAt) {
   const FakeMesher mesher("fake,a", [](std::uint64_t index, int) {
     return index % 2 ? FakeRun{Outcome::slow, "cpu"} : FakeRun{Outcome::not_judged, "20 s"};

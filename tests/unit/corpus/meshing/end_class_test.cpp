@@ -136,6 +136,23 @@ TEST(EndClass, ADamagedHeapIsOneSignature) {
   }
 }
 
+TEST(EndClass, ABannerIsNoVerdict) {
+  EXPECT_FALSE(classify_end(exited(0, "Info : compiled without OpenMP\n")).failure);
+  EXPECT_EQ(classify_end(exited(1, "Info : compiled without OpenMP\n")).failure, Outcome::not_compiled_in);
+  EXPECT_EQ(classify_end(exited(0, "Warning : Netgen is not compiled in\n")).failure,
+            Outcome::not_compiled_in);
+  EXPECT_EQ(
+      classify_end(exited(1, "Checking for overlapping facets\n0 overlapping facets\nError: too thin\n"))
+          .failure,
+      Outcome::refused);
+}
+
+TEST(EndClass, SignalsFromOutsideAreNoCrashes) {
+  EXPECT_EQ(classify_end(killed(SIGTERM, "")).failure, Outcome::not_judged);
+  EXPECT_EQ(classify_end(exited(128 + SIGKILL, "")).failure, Outcome::out_of_memory);  // through a shell
+  EXPECT_EQ(classify_end(exited(128 + SIGSEGV, "")).failure, Outcome::crashed);
+}
+
 TEST(EndClass, LimitsComeFirst) {
   ProcessEnd end = killed(SIGKILL, "Error: self-intersecting\n");
   end.limit = Limit::cpu;

@@ -121,6 +121,29 @@ TEST(JudgeRun, AllowsTheRoundingOfTextWithFewDigits) {
   expect(judge(raised(2e-5), surface, {}, 6), Outcome::wrong_against_surface, "off-surface-vertex");
 }
 
+// An STL file has floats: what the mesher got is the surface, and may be none any more.
+TEST(JudgeRun, ComparesWithTheSurfaceAsItsFileRoundedIt) {
+  const Eigen::Vector3d place(0.1, 1000.7, 0);
+  const auto in_floats = [](std::vector<Eigen::Vector3d> points) {
+    for (Eigen::Vector3d& p : points) p = p.cast<float>().cast<double>();
+    return points;
+  };
+  const TriangleSurface surface = test::boundary_surface(block(false, place));
+  auto rounded = std::make_shared<TriangleSurface>(surface);
+  rounded->vertices = in_floats(surface.vertices);
+  TetMesh mesh = block(false, place);
+  mesh.points = in_floats(mesh.points);
+  expect(judge(mesh, surface), Outcome::wrong_against_surface, "bounding-box");  // all of it is moved
+  const verify::JudgedSurface judged(surface);
+  expect(judge_run({.mesh = mesh, .given = rounded}, FakeMesher(), judged), Outcome::sound, "");
+
+  rounded->vertices[0] = rounded->vertices[1];
+  const Judgement refused =
+      judge_run({.failure = Outcome::refused_valid, .signature = "self-intersection", .given = rounded},
+                FakeMesher(), judged);
+  expect(refused, Outcome::not_judged, "the file rounds the surface to an invalid one");
+}
+
 TEST(JudgeRun, LetsARemeshedBoundaryBeAsFarAsTheMesherSays) {
   const TriangleSurface surface = test::boundary_surface(block());
   expect(judge(raised(1e-2), surface, {}, 0, 1e-2), Outcome::sound, "");  // the diagonal is 5.2

@@ -209,6 +209,10 @@ TEST(Backtrace, NamesTheFunctionsOfACrash) {
       backtrace({"/usr/bin/python3", "-c", "import ctypes; ctypes.CDLL(None).strlen(1)"});
   ASSERT_FALSE(frames.empty());  // strlen itself is the C library's
   for (const std::string& frame : frames) EXPECT_EQ(frame.find("strlen"), std::string::npos);
+  // Where a program exits by itself, only on demand.
+  const std::vector<std::string> exits{"/usr/bin/python3", "-c", "import os; os._exit(3)"};
+  EXPECT_TRUE(backtrace(exits).empty());
+  EXPECT_FALSE(backtrace(exits, {}, true).empty());
   EXPECT_TRUE(backtrace({"true"}).empty());
   EXPECT_TRUE(backtrace({"no-such-program"}).empty());
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -76,7 +77,8 @@ TEST(Damage, SaysWhatItDid) {
   EXPECT_NE(apply("crlf", mesh).find("$Nodes\r\n5\r\n"), std::string::npos);
   const std::string ends = apply("missing-end", mesh);
   EXPECT_TRUE(ends.find("$EndNodes") == std::string::npos || ends.find("$EndElements") == std::string::npos);
-  EXPECT_GT(apply("long-line", mesh).size() + apply("long-line", mesh).find('\n'), 10u);
+  const std::string one_line = apply("long-line", mesh);
+  EXPECT_TRUE(one_line.size() > (1U << 20) || std::count(one_line.begin(), one_line.end(), '\n') < 2);
   EXPECT_EQ(apply("deep-nesting", mesh), mesh);
   EXPECT_GT(apply("deep-nesting", "<VTKFile a=\"1\">\n</VTKFile>\n").size(), 3000u);
   EXPECT_NE(apply("byte-order", "byte_order=\"LittleEndian\"").find("BigEndian"), std::string::npos);
@@ -84,6 +86,7 @@ TEST(Damage, SaysWhatItDid) {
 
 TEST(DamagedFiles, GoThroughAllSamplesAndKinds) {
   const DamagedFiles files({.cases = 400, .formats = {"msh22", "vtu"}});
+  const std::vector<SampleFile> samples = sample_files(1, {"msh22", "vtu"});
   std::set<std::string> damages, forms;
   std::uint64_t valid = 0;
   for (std::uint64_t k = 0; k < files.size(); ++k) {
@@ -91,6 +94,10 @@ TEST(DamagedFiles, GoThroughAllSamplesAndKinds) {
     forms.insert(one.sample.form());
     damages.insert(one.damage);
     valid += one.damage == "none";
+    // What is called damaged has other bytes.
+    const SampleFile& sample = samples.at(k % samples.size());
+    EXPECT_EQ(one.damage == "none", one.sample.parts.at(one.part).bytes == sample.parts.at(one.part).bytes)
+        << k;
     EXPECT_EQ(files.file(k).sample.parts[0].bytes, one.sample.parts[0].bytes);
   }
   EXPECT_EQ(files.size(), valid + 400);
