@@ -28,6 +28,8 @@ def row(folder):
     finding = facts(folder)
     surface = next(s for s in finding["statements"] if s["kind"] == "valid_surface")
     first = next(s for s in finding["statements"] if s is not surface)["text"].replace("|", "\\|")
+    if finding["outcome"] in ("crashed", "refused-valid"):
+        first = finding["signature"].replace("|", "\\|")  # where it ends, or what it says
     if len(first) > LONGEST:
         first = first[:LONGEST].rsplit(" ", 1)[0] + " ..."
     mesher, variant = (finding["mesher"].split(",") + [""])[:2]
@@ -42,7 +44,7 @@ def table():
     folders = sorted(p.parent for p in HERE.glob("*/finding.json"))
     rows = sorted((row(folder) for folder in folders), key=lambda r: r[0])
     wrong = sum(r[0] <= ORDER.index("unreadable") for r in rows)
-    return (f"{len(rows)} findings, {wrong} of them with success and a wrong answer, or none.\n\n"
+    return (f"{len(rows)} findings. In {wrong} of them the mesher exits with 0, and its mesh is wrong or absent.\n\n"
             "| finding | mesher | what | triangles | to see it |\n|---|---|---|---|---|\n" + "".join(text for _, text in rows))
 
 

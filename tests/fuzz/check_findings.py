@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 FINDINGS = pathlib.Path(__file__).resolve().parents[2] / "corpus" / "findings"
-ONLY_A_RUN_SHOWS = {"crashed", "refused-valid", "no-output"}
+ONLY_A_RUN_SHOWS = {"crashed", "refused-valid", "no-output", "unreadable"}
 
 
 def main():
