@@ -43,8 +43,8 @@ std::string frame_of(const std::string& line) {
     if (rest.compare(0, way.size(), way) == 0) return "";
   const std::size_t from = rest.rfind(" from ");
   const std::string library = from == std::string::npos ? "" : rest.substr(rest.find_last_of("/ ") + 1);
-  for (const std::string_view c :
-       {"libc.so", "libc-", "ld-linux", "libstdc++", "libpthread", "libasan", "libubsan"})
+  for (const std::string_view c : {"libc.so", "libc-", "ld-linux", "libstdc++", "libpthread", "libgomp",
+                                   "libtbb", "libasan", "libubsan"})
     if (library.compare(0, c.size(), c) == 0) return "";
   // Debian's C library comes with its sources' places, relative to its own folder.
   for (const std::string_view folder : {" at ../sysdeps/", " at ./nptl/", " at ./stdlib/", " at ./malloc/",
@@ -57,6 +57,13 @@ std::string frame_of(const std::string& line) {
 }
 
 }  // namespace
+
+std::vector<std::string> own_frames(const std::vector<std::string>& lines) {
+  std::vector<std::string> frames;
+  for (const std::string& line : lines)
+    if (const std::string frame = frame_of(line); !frame.empty()) frames.push_back(frame);
+  return frames;
+}
 
 std::vector<std::string> backtrace(const std::vector<std::string>& command, const ProcessOptions& options,
                                    bool at_exit) {
@@ -81,14 +88,8 @@ std::vector<std::string> backtrace(const std::vector<std::string>& command, cons
   more.limits.wall_s = 2 * options.limits.wall_s + 20;
   more.limits.memory_mb = options.limits.memory_mb + 1000;
   const ProcessEnd end = run_process(words, more);
-  std::vector<std::string> frames;
-  bool begun = false;
-  for (const std::string& line : output_lines(end.output)) {
-    begun |= line == "=== backtrace";
-    if (!begun) continue;
-    if (const std::string frame = frame_of(line); !frame.empty()) frames.push_back(frame);
-  }
-  return frames;
+  const std::vector<std::string> lines = output_lines(end.output);
+  return own_frames({std::find(lines.begin(), lines.end(), "=== backtrace"), lines.end()});
 }
 
 }  // namespace tetproof::corpus

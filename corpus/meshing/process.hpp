@@ -46,4 +46,8 @@ ProcessEnd run_process(const std::vector<std::string>& command, const ProcessOpt
 std::vector<std::string> backtrace(const std::vector<std::string>& command,
                                    const ProcessOptions& options = {}, bool at_exit = false);
 
+/// The frames in what gdb prints, without those of the C library and of the libraries that start threads:
+/// which of these are there depends on the thread that crashed.
+std::vector<std::string> own_frames(const std::vector<std::string>& lines);
+
 }  // namespace tetproof::corpus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus/meshing/process.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -201,6 +202,15 @@ TEST(Process, SignalsOfTheCallerAreNotInherited) {
 TEST(Process, RefusesSenselessLimits) {
   EXPECT_THROW(run_process({}), std::invalid_argument);
   EXPECT_THROW(shell("true", {0, 1, 1}), std::invalid_argument);
+}
+
+TEST(Backtrace, LeavesTheFramesOfSystemLibrariesOut) {
+  EXPECT_THAT(
+      own_frames({"Thread 2 received signal SIGSEGV", "#0  0x00007f11 in raise () from /lib/libc.so.6",
+                  "#1  0x00007f12 in refine(int, double) () from /lib/x86_64-linux-gnu/libmesher.so.4.8",
+                  "#2  0x00007f13 in GOMP_parallel () from /lib/x86_64-linux-gnu/libgomp.so.1",
+                  "#3  mesh_all () at mesh.c:12", "#4  0x00007f14 in ?? ()"}),
+      ::testing::ElementsAre("refine", "mesh_all", "?"));
 }
 
 TEST(Backtrace, NamesTheFunctionsOfACrash) {
