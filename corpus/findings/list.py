@@ -36,7 +36,7 @@ def row(folder):
     version = finding["version"].split("(")[-1].rstrip(")").replace("Version ", "")
     often = f", {finding['failed']} of {finding['repeats']} runs" if finding["failed"] < finding["repeats"] else ""
     return (ORDER.index(finding["outcome"]),
-            f"| [{folder.name}]({folder.name}/README.md) | {mesher} {version}, {variant} | {NAMES[finding['outcome']]}{often} "
+            f"| [{folder.name}]({folder.name}/README.md) | {f'{mesher} {version}'.strip()}, {variant} | {NAMES[finding['outcome']]}{often} "
             f"| {surface['triangles']} | {first} |\n")
 
 
