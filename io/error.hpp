@@ -4,22 +4,14 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace tetproof {
 
 /// Bad input. `what()` is one line that tells the user what to do: the place, what was expected and what was
 /// found, as in "bunny.stl:1204: facet has 2 vertices, expected 3". Programs print it and exit 2. Control
-/// characters, which names from files may hold, are shown as '?'.
+/// characters, which names from files may hold, are shown as "\x1B" and the like.
 struct InputError : std::runtime_error {
-  explicit InputError(std::string message) : std::runtime_error(in_one_line(std::move(message))) {}
-
- private:
-  static std::string in_one_line(std::string message) {
-    for (char& c : message)
-      if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
-    return message;
-  }
+  explicit InputError(const std::string& message);
 };
 
 }  // namespace tetproof

@@ -17,6 +17,8 @@ struct Format {
   /// In lower case with the dot. If several formats have an ending, a file with it is written in the first
   /// one.
   std::vector<std::string> endings;
+  /// Endings of files that bring a file of this format which stands beside them. They are only read.
+  std::vector<std::string> endings_beside{};
   bool reads = false;
   bool ascii = true, binary = true;  ///< the forms in which it can be written
   bool usually_binary = false;       ///< the form in which it is written if none is asked for
@@ -27,7 +29,8 @@ struct Format {
 const std::vector<Format>& formats();
 /// The ending of a path, in lower case and with its dot; empty if there is none.
 std::string ending_of(const std::string& path);
-/// The endings of all formats, each once. All are read and written; `io::gmsh_endings()` are only read.
+/// The endings of all formats, each once. All are read and written; `endings_beside` and
+/// `io::gmsh_endings()` are only read.
 std::vector<std::string> known_endings();
 /// The format in which a file with `path`'s ending is written. InputError, with the known endings, for an
 /// unknown one.

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "io/bytes/one_line.hpp"
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
 
@@ -22,10 +23,7 @@ bool is_line_end(char c) {
 
 // A word as a message shows it: printable and short.
 std::string shown(std::string_view found) {
-  if (found.empty()) return "the end of the file";
-  std::string text = "'";
-  for (char c : found.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (found.size() > 40 ? "...'" : "'");
+  return found.empty() ? "the end of the file" : fmt::format("'{}'", io::start_in_one_line(found, 40));
 }
 
 }  // namespace

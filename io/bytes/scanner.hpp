@@ -32,6 +32,7 @@ class Scanner {
   bool at_line_end(char comment = '\0');
   /// Whether the line ends at exactly this byte.
   bool ends_line() const { return remaining() == 0 || bytes_[at_] == '\n' || bytes_[at_] == '\r'; }
+  char peek_byte() const { return remaining() == 0 ? '\0' : bytes_[at_]; }  ///< 0 at the end of the file
   void next_line();                 ///< goes to the start of the next line
   std::string_view rest_of_line();  ///< without its line end; the scanner stays before the line end
 

@@ -65,6 +65,7 @@ std::optional<Content> medit(std::string_view bytes) {
 }
 
 std::optional<Content> ply(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (!bytes.starts_with("ply\n") && !bytes.starts_with("ply\r")) return {};
   return Content{"ply", "a PLY file", {}};
 }

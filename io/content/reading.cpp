@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/bytes/one_line.hpp"
+#include "io/bytes/text_encoding.hpp"
 #include "io/codecs.hpp"
 #include "io/content/content.hpp"
 #include "io/error.hpp"
@@ -21,7 +23,7 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
 // The format that the ending of a name stands for; empty: none, or one that Gmsh reads.
 std::string format_of_ending(const std::string& ending) {
   for (const Format& format : formats())
-    if (contains(format.endings, ending)) return format.name;
+    if (contains(format.endings, ending) || contains(format.endings_beside, ending)) return format.name;
   return {};
 }
 
@@ -52,6 +54,27 @@ ReadDocument read_against_ending(const Content& content, const std::string& endi
   }
 }
 
+ReadDocument read_by_content(const InputFile& file, const ReadOptions& options, Wanted wanted) {
+  const std::optional<Content> content = own_content(file.bytes());
+  if (!content) refuse_wide_text(file);
+  if (!options.format.empty()) return read_as(format_named(options.format).name, file, wanted);
+  const std::string ending = file.is_named() ? ending_of(file.path()) : "";
+  const std::string by_ending = format_of_ending(ending);
+  const bool through_gmsh = contains(gmsh_endings(), ending);
+  if (content) {
+    const Format& format = format_named(content->format);
+    const bool agrees = contains(format.endings, ending) || contains(format.endings_beside, ending);
+    if (agrees || (by_ending.empty() && !through_gmsh)) return read_as(content->format, file, wanted);
+    return read_against_ending(*content, ending, file, wanted);
+  }
+  if (through_gmsh) return {read_through_gmsh(file.path())};
+  if (const std::optional<Content> foreign = foreign_content(file.bytes(), ending))
+    throw InputError(
+        fmt::format("{}: {}, which is not read; {}", file.path(), foreign->what, foreign->advice));
+  if (by_ending.empty()) refuse_unknown(file, ending);
+  return read_as(by_ending, file, wanted);
+}
+
 }  // namespace
 
 InputFile open_input(const std::string& path) {
@@ -59,21 +82,9 @@ InputFile open_input(const std::string& path) {
 }
 
 ReadDocument read_file(const InputFile& file, const ReadOptions& options, Wanted wanted) {
-  if (!options.format.empty()) return read_as(format_named(options.format).name, file, wanted);
-  const std::string ending = file.is_named() ? ending_of(file.path()) : "";
-  const std::string by_ending = format_of_ending(ending);
-  const bool through_gmsh = contains(gmsh_endings(), ending);
-  if (const std::optional<Content> content = own_content(file.bytes())) {
-    const bool agrees = contains(format_named(content->format).endings, ending);
-    if (agrees || (by_ending.empty() && !through_gmsh)) return read_as(content->format, file, wanted);
-    return read_against_ending(*content, ending, file, wanted);
-  }
-  if (through_gmsh) return {read_through_gmsh(file.path())};
-  if (const std::optional<Content> content = foreign_content(file.bytes(), ending))
-    throw InputError(
-        fmt::format("{}: {}, which is not read; {}", file.path(), content->what, content->advice));
-  if (by_ending.empty()) refuse_unknown(file, ending);
-  return read_as(by_ending, file, wanted);
+  ReadDocument read = read_by_content(file, options, wanted);
+  for (std::string& warning : read.document.warnings) warning = in_one_line(warning);
+  return read;
 }
 
 }  // namespace tetproof::io

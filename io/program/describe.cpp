@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/bytes/one_line.hpp"
 #include "io/bytes/words.hpp"
 #include "io/model/element_types.hpp"
 
@@ -107,7 +108,7 @@ std::array<ValuesOf, 3> all_values(const Document& document) {
 
 std::string describe_text(const Document& document) {
   const Figures figures = count(document);
-  std::string text = fmt::format("{}: {}\n", document.path, document.format);
+  std::string text = fmt::format("{}: {}\n", io::in_one_line(document.path), document.format);
   const std::size_t nodes = document.points.size(), elements = document.elements();
   text += row(nodes, "nodes");
   if (nodes > 0) {
@@ -136,21 +137,23 @@ std::string describe_text(const Document& document) {
       text += fmt::format("{} of dimension {}\n", row(figures.entities[dim], "entities"), dim);
   for (const auto& [key, elements_in] : figures.groups) {
     const auto name = figures.names.find(key);
-    text += fmt::format("{} in group {} of dimension {}{}\n", row(elements_in, "elements"), key.second,
-                        key.first, name == figures.names.end() ? "" : fmt::format(" \"{}\"", name->second));
+    text +=
+        fmt::format("{} in group {} of dimension {}{}\n", row(elements_in, "elements"), key.second, key.first,
+                    name == figures.names.end() ? "" : fmt::format(" \"{}\"", io::in_one_line(name->second)));
   }
   if (!figures.partitions.empty()) text += row(figures.partitions.size(), "partitions") + "\n";
   for (const auto& [values, of] : all_values(document))
     for (const Values& v : *values)
       text += fmt::format("{} with {} \"{}\" each\n",
                           row(v.items(), std::string_view(of) == "node" ? "nodes" : "elements"),
-                          io::counted(v.components, "values"), v.name);
+                          io::counted(v.components, "values"), io::in_one_line(v.name));
   for (const auto& [part, number] : parts(document)) text += row(number, part) + "\n";
   for (const Table& table : document.tables)
     text += fmt::format("{} of {} in table \"{}\"\n", row(table.rows, "rows"),
-                        io::counted(table.columns.size(), "columns"), table.name);
+                        io::counted(table.columns.size(), "columns"), io::in_one_line(table.name));
   for (const Section& section : document.sections)
-    text += fmt::format("{} in section ${}\n", row(section.body.size(), "bytes"), section.name);
+    text +=
+        fmt::format("{} in section ${}\n", row(section.body.size(), "bytes"), io::in_one_line(section.name));
   for (const Loss& loss : document.dropped)
     text += fmt::format("{:>10} {}, not read ({})\n", loss.count, loss.item, loss.example);
   return text;

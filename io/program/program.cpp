@@ -18,6 +18,7 @@
 #include <system_error>
 
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/one_line.hpp"
 #include "io/error.hpp"
 
 namespace tetproof::program {
@@ -45,7 +46,8 @@ class ExamplesFirst : public CLI::Formatter {
   std::string examples_;
 };
 
-std::string one_line(std::string text) {
+// CLI11 breaks long messages.
+std::string joined_lines(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   return text;
@@ -80,7 +82,7 @@ int run(int argc, char** argv, const Description& description,
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-      throw InputError(one_line(error.what()) + fmt::format(" (see {} --help)", name));
+      throw InputError(joined_lines(error.what()) + fmt::format(" (see {} --help)", name));
     }
     const std::size_t threads =
         common.threads > 0 ? static_cast<std::size_t>(common.threads)
@@ -88,23 +90,20 @@ int run(int argc, char** argv, const Description& description,
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return work();
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", name, one_line(error.what()));
+    fmt::print(stderr, "{}: {}\n", name, io::in_one_line(error.what()));
     return bad_input;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "{}: out of memory\n", name);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: internal error, please report it with the command and the input: {}\n", name,
-               one_line(error.what()));
+               io::in_one_line(error.what()));
   }
   return own_failure;
 }
 
 void say(const Common& common, const std::string& line) {
   if (common.quiet) return;
-  std::string shown = line;
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
-  fmt::print(stderr, "{}\n", shown);
+  fmt::print(stderr, "{}\n", io::in_one_line(line));
 }
 
 Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
@@ -163,7 +162,8 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 void write_json(const std::string& path, const nlohmann::ordered_json& json) {
-  write_text(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  write_text(path, io::escape_controls_of_json(text) + "\n");
 }
 
 }  // namespace tetproof::program

@@ -48,7 +48,7 @@ int run(int argc, char** argv, const Description& description,
         const std::function<std::function<int()>(CLI::App& app, Common& common)>& declare);
 
 /// Writes a line to standard error, unless --quiet. Control characters, which names from files can bring, are
-/// shown as '?'.
+/// shown as "\x1B" and the like.
 void say(const Common& common, const std::string& line);
 
 /// Shows a line on the terminal when work takes longer than two seconds: the phase, the time so far and an

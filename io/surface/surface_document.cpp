@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/bytes/one_line.hpp"
 #include "io/bytes/text_output.hpp"
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
@@ -44,9 +45,7 @@ void check_countable(const std::string& path, std::size_t points) {
 }
 
 std::string shown_name(std::string_view name) {
-  std::string text;
-  for (const char c : name.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (name.size() > 40 ? "..." : "");
+  return start_in_one_line(name, 40);
 }
 
 int corners_kept(const ElementBlock& block) {

@@ -6,22 +6,19 @@
 #include <algorithm>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
 
 std::string_view text_of_file(const InputFile& file, Document& document) {
-  const std::string_view bytes = file.bytes();
-  const std::size_t last = bytes.find_last_not_of('\0');
-  const std::size_t size = last == bytes.npos ? 0 : last + 1;
-  if (size < bytes.size())
-    document.warnings.push_back(fmt::format("{}: byte {}: {} zero bytes at the end are passed over",
-                                            file.path(), size, bytes.size() - size));
-  return bytes.substr(0, size);
+  if (const std::string warning = warning_of_end(file); !warning.empty())
+    document.warnings.push_back(warning);
+  return file.bytes().substr(0, end_of_text(file.bytes()));
 }
 
 Scanner start_of_text(const InputFile& file, std::string_view text) {
-  return {file.path(), text, text.starts_with("\xEF\xBB\xBF") ? std::size_t{3} : std::size_t{0}};
+  return {file.path(), text, start_of_utf8(text)};
 }
 
 std::string example_line(const std::string& path, std::string_view text, std::size_t place) {

@@ -11,8 +11,8 @@
 
 namespace tetproof::io {
 
-/// The bytes of a text without the zero bytes that some writers leave at its end. If there are any, they are
-/// a warning of `document`.
+/// The bytes of a text without the zero bytes and the ^Z that some writers leave at its end. If there are
+/// any, they are a warning of `document`.
 std::string_view text_of_file(const InputFile& file, Document& document);
 
 /// A scanner at the start of such a text, behind a byte order mark of UTF-8.

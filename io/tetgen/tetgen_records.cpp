@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/tetgen/tetgen.hpp"
@@ -25,6 +26,15 @@ bool ends_word(char c) {
 }
 
 }  // namespace
+
+Records::Records(const InputFile& file, Document& document) : file_(file), document_(document) {
+  refuse_wide_text(file);
+  const std::string_view bytes = file.bytes();
+  at_ = bytes.data() + start_of_utf8(bytes);
+  end_ = bytes.data() + end_of_text(bytes);
+  if (const std::string warning = warning_of_end(file); !warning.empty())
+    document.warnings.push_back(warning);
+}
 
 bool Records::next() {
   if (started_) skip_line();

@@ -19,10 +19,7 @@ namespace tetproof::io {
 class Records {
  public:
   /// `document` gets warnings, and the list of what is dropped.
-  Records(const InputFile& file, Document& document) : file_(file), document_(document) {
-    at_ = file.bytes().data();
-    end_ = at_ + file.bytes().size();
-  }
+  Records(const InputFile& file, Document& document);
 
   const std::string& path() const { return file_.path(); }
   const InputFile& file() const { return file_; }

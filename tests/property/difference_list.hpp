@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "documents_compare.hpp"
+#include "io/bytes/one_line.hpp"
 
 namespace tetproof::test {
 
 class DifferenceList {
  public:
   /// `subject`: the node, element or part that differs; empty: the whole document does.
-  void add(const std::string& item, std::int64_t count, const std::string& example, bool unsure = false,
-           const std::string& subject = "") {
+  void add(const std::string& named, std::int64_t count, const std::string& example, bool unsure = false,
+           const std::string& part = "") {
+    const std::string item = io::in_one_line(named), subject = io::in_one_line(part);  // as losses have them
     for (Difference& d : differences_)
       if (d.item == item) {
         d.count += count;
