@@ -20,7 +20,7 @@ struct ElementBlock {
   int dim = 3;                  ///< dimension of the entity
   std::int64_t entity = 0;      ///< tag of the entity; 0: none
   std::int32_t groups = 0;      ///< physical groups: position in `Document::tag_sets`
-  std::int32_t partitions = 0;  ///< partitions: position there; a negative partition is a ghost's
+  std::int32_t partitions = 0;  ///< partitions: position there; ghosts are `Document::ghost_elements`
   std::int32_t nodes_each = 4;
   std::size_t count = 0;
   std::size_t first = 0;  ///< position of its first element
@@ -180,7 +180,7 @@ struct Loss {
   std::string item;        ///< the kind of thing that is lost
   std::int64_t count = 0;  ///< how many of it
   std::string example;     ///< the first of them
-  bool elements = false;   ///< elements that the mesh lacks
+  bool elements = false;   ///< elements that the mesh, or what is written of it, lacks
 };
 
 /// A mesh with everything in its file. The only promise is that positions stay inside their arrays.

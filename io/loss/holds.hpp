@@ -53,7 +53,8 @@ struct Holds {
   std::string changed_entity;
   /// Which of an element's physical groups come back.
   enum class Groups { none, first, all } groups = Groups::none;
-  bool partitions = false, partition_count = false, ghosts = false, parameters = false, periodic = false;
+  bool partitions = false, partition_count = false, parameters = false, periodic = false;
+  bool ghosts = false, ghost_entities = false;  ///< ghost elements, and the entities for them
   bool boundary = false;        ///< that elements are polygons of what to mesh, not of the mesh
   bool makes_boundary = false;  ///< elements that are no such polygons come back as such
   bool facets = false, holes = false, regions = false, bounds = false, voronoi = false, title = false;

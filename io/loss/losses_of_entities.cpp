@@ -87,11 +87,10 @@ class EntityLosses : LossFinder {
     if (!holds_.partition_count && document_.partitions != 0 &&
         document_.partitions != (holds_.partitions ? largest : 0))
       add("number of partitions", 1, fmt::format("{}", document_.partitions));
-    if (holds_.ghosts) return;
-    if (!document_.ghosts.empty())
+    if (!holds_.ghost_entities && !document_.ghosts.empty())
       add("entities of ghost elements", document_.ghosts.size(),
           fmt::format("entity {} of partition {}", document_.ghosts[0].tag, document_.ghosts[0].partition));
-    if (!document_.ghost_elements.empty()) {
+    if (!holds_.ghosts && !document_.ghost_elements.empty()) {
       const GhostElement& ghost = document_.ghost_elements[0];
       add("ghost elements", document_.ghost_elements.size(),
           ghost.element >= 0

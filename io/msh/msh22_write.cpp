@@ -5,6 +5,7 @@
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
+#include "io/msh/msh22_ghosts.hpp"
 #include "io/msh/msh22_limits.hpp"
 #include "io/msh/msh_plan.hpp"
 #include "io/msh/msh_write.hpp"
@@ -15,13 +16,15 @@ namespace {
 template <bool Binary>
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, const Msh22Limits& limits, const Holds& holds)
+  Writer(AtomicFile& file, const Document& document, const GhostBlocks& all, const Msh22Limits& limits,
+         const Holds& holds)
       : file_(file),
         document_(document),
+        tag_sets_(all.tag_sets),
         holds_(holds),
         limits_(limits),
         tags_{&document, limits_.renumber, limits_.first_unknown} {
-    for (const ElementBlock& block : document.blocks)
+    for (const ElementBlock& block : all.blocks)
       if (holds_.nodes_each(block) > 0 && block.count > 0) {
         blocks_.push_back(&block);
         elements_ += block.count * groups22(document, block).size();
@@ -140,7 +143,7 @@ class Writer {
 
   // The tags: physical, elementary, and if there are partitions, their number and the partitions.
   std::vector<std::int64_t> tags_of(const ElementBlock& block, std::int64_t group, bool marked) const {
-    const auto& partitions = document_.tag_sets[block.partitions];
+    const auto& partitions = tag_sets_[static_cast<std::size_t>(block.partitions)];
     std::vector<std::int64_t> tags{group, entity_of(block)};
     if (!partitions.empty()) {
       tags.push_back(static_cast<std::int64_t>(partitions.size()));
@@ -157,6 +160,7 @@ class Writer {
 
   AtomicFile& file_;
   const Document& document_;
+  const std::vector<std::vector<std::int64_t>>& tag_sets_;  // the document's, and partitions with ghosts
   const Holds& holds_;
   const Msh22Limits& limits_;
   const MshTags tags_;
@@ -167,17 +171,21 @@ class Writer {
 class Msh22FilePlan : public MshFilePlan {
  public:
   Msh22FilePlan(const Document& document, bool binary)
-      : MshFilePlan(document), limits_(msh22_limits(document, binary)), binary_(binary) {
-    holds_ = msh22_holds(document, limits_, binary);
+      : MshFilePlan(document),
+        limits_(msh22_limits(document, binary)),
+        blocks_(blocks_with_ghosts(document)),
+        binary_(binary) {
+    holds_ = msh22_holds(document, limits_, blocks_.complete, binary);
   }
 
  private:
   void write_into(AtomicFile& file) override {
-    binary_ ? Writer<true>(file, document_, limits_, holds_).write()
-            : Writer<false>(file, document_, limits_, holds_).write();
+    binary_ ? Writer<true>(file, document_, blocks_, limits_, holds_).write()
+            : Writer<false>(file, document_, blocks_, limits_, holds_).write();
   }
 
   const Msh22Limits limits_;
+  const GhostBlocks blocks_;
   const bool binary_;
 };
 

@@ -85,6 +85,46 @@ void read_block(Numbers& in, bool v40, std::size_t count, int each, Document& do
   in = here;
 }
 
+// What the first line of $Nodes or $Elements announces: the number of blocks and of nodes or elements in all
+// of them. The blocks have numbers of their own, and Gmsh goes by these. In text the end of the section shows
+// where the blocks end; in binary only their number does.
+class Announced {
+ public:
+  Announced(Numbers& in, const char* of, Document& document)
+      : in_(in), of_(of), document_(document), place_(in.offset()) {
+    blocks_ = in.size("the number of blocks"), total_ = in.size("the number of nodes or elements");
+    if (blocks_ < 0 || total_ < 0)
+      in.fail(fmt::format("expected the number of blocks and of {}, found {} and {}", of, blocks_, total_));
+    if (in.binary()) in.check_count(blocks_, "the number of blocks", 20);
+  }
+
+  // How many there can be at most, of so many bytes each.
+  std::size_t likely(std::size_t bytes_each) const {
+    return std::min(static_cast<std::size_t>(total_), in_.remaining() / bytes_each + 1);
+  }
+  bool next_block() {
+    if (in_.binary() ? found_ == blocks_ : in_.at_section_end(found_ < blocks_)) return false;
+    ++found_;
+    return true;
+  }
+  void compare(std::size_t total) {
+    if (found_ == blocks_ && static_cast<std::size_t>(total_) == total) return;
+    const std::string place =
+        in_.binary() ? fmt::format("byte {}", place_) : fmt::format("{}", in_.line(place_));
+    document_.warnings.push_back(fmt::format(
+        "{}:{}{}: {} in {} {} announced, and {} in {} {} there", document_.path, in_.binary() ? " " : "",
+        place, counted(total_, of_), counted(blocks_, "blocks"), total_ == 1 ? "is" : "are",
+        counted(total, of_), counted(found_, "blocks"), total == 1 ? "is" : "are"));
+  }
+
+ private:
+  Numbers& in_;
+  const char* const of_;
+  Document& document_;
+  const std::size_t place_;
+  std::int64_t blocks_ = 0, total_ = 0, found_ = 0;
+};
+
 }  // namespace
 
 void check_node_count(const Numbers& in, std::size_t nodes) {
@@ -109,17 +149,15 @@ void read_partitioned_entities4(Numbers& in, bool v40, Document& document, TagSe
 
 void read_nodes4(Numbers& in, bool v40, Document& document) {
   const std::size_t least_binary = v40 ? 28 : 32;  // bytes a node
-  const std::int64_t blocks = in.count("the number of node blocks", 8, 20);
-  const std::int64_t total = in.count("the number of nodes", 8, least_binary);
+  Announced announced(in, "nodes", document);
   if (!v40) {
     in.size("the least node tag");
     in.size("the largest node tag");
   }
   Tags tags(document.node_tags, document.first_node);
   const std::size_t before = document.points.size();
-  check_node_count(in, before + total);
-  reserve_in_large_pages(document.points, before + total);
-  for (std::int64_t b = 0; b < blocks; ++b) {
+  reserve_in_large_pages(document.points, before + announced.likely(in.binary() ? least_binary : 8));
+  while (announced.next_block()) {
     NodeBlock block;
     read_entity_of(in, v40, block);
     const std::int64_t parametric = in.integer("0 or 1 for parametric coordinates");
@@ -128,9 +166,7 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
     block.parameters_each = parametric ? block.dim : 0;
     block.first = document.points.size();
     block.count = in.count("the number of nodes in a block", 8, least_binary);
-    if (block.count > before + total - block.first)
-      in.fail(fmt::format("expected at most {} in a block, as $Nodes says, found {}",
-                          counted(before + total - block.first, "nodes"), block.count));
+    check_node_count(in, block.first + block.count);
     if (v40) {
       // Each node's tag stands in front of its coordinates.
     } else if (!read_plain_tags(in, block.count, tags, block.first)) {
@@ -147,14 +183,11 @@ void read_nodes4(Numbers& in, bool v40, Document& document) {
     }
     if (block.count > 0) document.node_blocks.push_back(block);
   }
-  if (document.points.size() != before + total)
-    in.fail(fmt::format("expected {}, as $Nodes says, found {}", counted(total, "nodes"),
-                        document.points.size() - before));
+  announced.compare(document.points.size() - before);
 }
 
 void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index) {
-  const std::int64_t blocks = in.count("the number of element blocks", 8, 20);
-  const std::int64_t total = in.count("the number of elements", 4, v40 ? 8 : 16);
+  Announced announced(in, "elements", document);
   if (!v40) {
     in.size("the least element tag");
     in.size("the largest element tag");
@@ -162,9 +195,9 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
   Tags tags(document.element_tags, document.first_element);
   const std::size_t before = document.elements();
   // In most files most elements are tetrahedra. There are no more nodes than the bytes can hold.
-  reserve_in_large_pages(document.connectivity,
-                         document.connectivity.size() + std::min<std::size_t>(4 * total, in.remaining() / 2));
-  for (std::int64_t b = 0; b < blocks; ++b) {
+  reserve_in_large_pages(document.connectivity, document.connectivity.size() +
+                                                    std::min(4 * announced.likely(4), in.remaining() / 2));
+  while (announced.next_block()) {
     ElementBlock block;
     read_entity_of(in, v40, block);
     const std::int64_t number = in.integer("an element type");
@@ -175,9 +208,6 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
     const std::size_t count = in.count("the number of elements in a block", 4, v40 ? 8 : 16);
     block.first = document.elements();
     block.nodes = document.connectivity.size();
-    if (count > before + total - block.first)
-      in.fail(fmt::format("expected at most {} in a block, as $Elements says, found {}",
-                          counted(before + total - block.first, "elements"), count));
     if (count == 0) continue;
     if (type) {
       block.nodes_each = type->nodes;
@@ -206,9 +236,7 @@ void read_elements4(Numbers& in, bool v40, Document& document, NodeIndex& index)
       document.blocks.pop_back();
     }
   }
-  if (document.elements() != before + total)
-    in.fail(fmt::format("expected {}, as $Elements says, found {}", counted(total, "elements"),
-                        document.elements() - before));
+  announced.compare(document.elements() - before);
 }
 
 }  // namespace tetproof::io

@@ -32,7 +32,7 @@ class Writer {
     file_.write(msh_kept_sections(document_, holds_, true));
     file_.write(msh_names(document_));
     entities(false);
-    if (plan_.partitions > 0 || !document_.ghosts.empty() ||
+    if (plan_.partitions > 0 || !plan_.ghosts.empty() ||
         (!plan_.entities.empty() && plan_.entities.back().parent_dim >= 0))
       entities(true);
     nodes();
@@ -48,8 +48,8 @@ class Writer {
     file_.write(partitioned ? "$PartitionedEntities\n" : "$Entities\n");
     if (partitioned) {
       file_.write(line<Binary>(1, [&](auto& out) { out.size(plan_.partitions); }));
-      file_.write(line<Binary>(1, [&](auto& out) { out.size(document_.ghosts.size()); }));
-      for (const GhostEntity& ghost : document_.ghosts)
+      file_.write(line<Binary>(1, [&](auto& out) { out.size(plan_.ghosts.size()); }));
+      for (const GhostEntity& ghost : plan_.ghosts)
         file_.write(
             line<Binary>(2, [&](auto& out) { out.integer(ghost.tag), out.integer(ghost.partition); }));
     }

@@ -115,7 +115,7 @@ void write(AtomicFile& file, const MshTags& tags, const Holds& holds, const std:
     else  // text even if the rest is binary
       Writer<false>(file, tags).periodic(true);
   }
-  if (holds.ghosts && !document.ghost_elements.empty()) writer.ghosts();
+  if (format != "msh22" && holds.ghosts && !document.ghost_elements.empty()) writer.ghosts();
   writer.values(document.node_values, Of::node, holds);
   writer.values(document.element_values, Of::element, holds);
   writer.values(document.element_node_values, Of::element_node, holds);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -43,6 +44,9 @@ class Planner {
       return std::pair(a.parent_dim >= 0, a.dim) < std::pair(b.parent_dim >= 0, b.dim);
     });
     plan_.partitions = document_.partitions;
+    cover_ghosts();
+    for (const GhostEntity& ghost : plan_.ghosts)
+      if (document_.partitions == 0) plan_.partitions = std::max(plan_.partitions, ghost.partition);
     for (const Entity& entity : plan_.entities)
       for (const std::int64_t partition : document_.tag_sets[entity.partitions])
         if (document_.partitions == 0) plan_.partitions = std::max(plan_.partitions, partition);
@@ -81,6 +85,26 @@ class Planner {
   void add(Entity entity) {
     plan_.new_entities.emplace_back(entity.dim, entity.tag);
     plan_.entities.push_back(std::move(entity));
+  }
+
+  // Gmsh keeps ghost elements only of partitions that have an entity for them. A document without partitions
+  // gets none.
+  void cover_ghosts() {
+    plan_.ghosts = document_.ghosts;
+    const auto is_partitioned = [](const ElementBlock& block) { return block.partitions != 0; };
+    if (std::none_of(document_.blocks.begin(), document_.blocks.end(), is_partitioned)) return;
+    std::set<std::int64_t> missing;
+    for (const GhostElement& ghost : document_.ghost_elements)
+      for (const std::int64_t partition : ghost.ghosts)
+        if (partition > 0) missing.insert(partition);
+    int dim = 0;
+    for (const ElementBlock& block : document_.blocks) dim = std::max(dim, block.dim);
+    std::int64_t tag = largest_[dim];
+    for (const GhostEntity& ghost : document_.ghosts) {
+      missing.erase(ghost.partition);
+      tag = std::max(tag, ghost.tag);
+    }
+    for (const std::int64_t partition : missing) plan_.ghosts.push_back({++tag, partition});
   }
 
   // Nodes without an entity join the entity of the first block of the highest dimension.

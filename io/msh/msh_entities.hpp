@@ -18,6 +18,7 @@ struct EntityPlan {
   /// Dimension and tag of those that the document does not list. Their boxes are not computed yet.
   std::vector<std::pair<int, std::int64_t>> new_entities;
   std::int64_t partitions = 0;           ///< the number of partitions
+  std::vector<GhostEntity> ghosts;       ///< the document's, and one for each further partition with ghosts
   std::vector<std::int64_t> block_tags;  ///< the tag under which each element block is written
   std::vector<NodeBlock> node_blocks;    ///< covering all nodes, in order
 };

@@ -27,6 +27,18 @@ std::int32_t Numbers::words_in_line() const {
   return words;
 }
 
+bool Numbers::at_section_end(bool due) {
+  skip_blanks();
+  if (at_ == bytes_.size() || bytes_[at_] == '$') return true;
+  return !due && bytes_[at_] != '-' && (bytes_[at_] < '0' || bytes_[at_] > '9');
+}
+
+std::int64_t Numbers::line(std::size_t offset) const {
+  Scanner place(*path_, bytes_, offset);
+  place.at_end();
+  return place.line();
+}
+
 void Numbers::fail(std::string_view message) const {
   const Scanner here(*path_, bytes_, at_);
   binary_ ? here.fail_at_byte(message) : here.fail_in_line(message);

@@ -107,12 +107,12 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
                (format == "msh41" || link.affine.empty() || link.affine.size() == 16) &&
                (!short_numbers || (fits_int(link.entity) && fits_int(link.master)));
       });
-  holds.ghosts = format != "msh22" ? elements_differ || document.ghost_elements.empty()
-                                   : document.ghost_elements.empty() && document.ghosts.empty();
+  holds.ghosts = elements_differ || document.ghost_elements.empty();
   for (const GhostElement& ghost : document.ghost_elements)
     if (short_numbers &&
         !(fits_int(ghost.partition) && std::all_of(ghost.ghosts.begin(), ghost.ghosts.end(), fits_int)))
       holds.ghosts = false;
+  holds.ghost_entities = format != "msh22" || document.ghosts.empty();
   if (document.periodic.empty()) holds.periodic = true;
   holds.values = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
     if (!values.integers.empty() || !values.labels.empty() || values.components < 1) return false;
@@ -137,7 +137,7 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
 
 }  // namespace
 
-Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool binary) {
+Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool ghosts, bool binary) {
   Holds holds = names_and_elements(document, "msh22", binary);
   holds.node_tags = holds.element_tags = !limits.renumber;
   holds.numbers_all_elements = true;
@@ -147,7 +147,12 @@ Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool bina
     };
   holds.unknown_nodes = true;
   holds.entities = document.entities.empty();
-  holds.partitions = true;
+  // A negative partition beside a positive one comes back as a ghost element.
+  holds.partitions = std::all_of(document.blocks.begin(), document.blocks.end(), [&](const ElementBlock& b) {
+    const auto& tags = document.tag_sets[static_cast<std::size_t>(b.partitions)];
+    return std::none_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag < 0; }) ||
+           std::none_of(tags.begin(), tags.end(), [](std::int64_t tag) { return tag > 0; });
+  });
   holds.element_entities = true;
   holds.groups = Holds::Groups::all;
   for (const ElementBlock& block : document.blocks) {
@@ -166,6 +171,7 @@ Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool bina
                                               block.parameters_each == block.dim);
       });
   hold_data(document, {&document, limits.renumber, limits.first_unknown}, "msh22", binary, holds);
+  holds.ghosts = ghosts;
   return holds;
 }
 

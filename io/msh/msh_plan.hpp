@@ -13,7 +13,8 @@
 namespace tetproof::io {
 
 /// `document` must outlive what is returned.
-Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool binary);
+/// `ghosts`: whether the elements' partitions tell all ghost elements.
+Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool ghosts, bool binary);
 /// Likewise; `format`: "msh40" or "msh41".
 Holds msh4_holds(const Document& document, const EntityPlan& plan, const std::string& format, bool binary);
 

@@ -8,42 +8,18 @@
 
 #include "io/bytes/checksum.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/msh/msh.hpp"
+#include "io/msh/msh22_ghosts.hpp"
 #include "io/msh/msh_data.hpp"
 #include "io/msh/msh_sections.hpp"
 #include "io/supplement/supplement.hpp"
 
 namespace tetproof::io {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_binary(char c) {
-  return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f';
-}
-
-// Whether bytes that are not read may be elements: they have the name of a section, a line that begins with a
-// number, or characters that no text has.
-bool may_be_elements(std::string_view bytes) {
-  if (std::any_of(bytes.begin(), bytes.end(), is_binary)) return true;
-  const std::string no_path;
-  for (Scanner in(no_path, bytes); !in.at_end(); in.next_line()) {
-    const std::string_view word = in.peek_word();
-    const std::size_t first = word.find_first_not_of("+-.");
-    if (first != word.npos && is_digit(word[first])) return true;
-    while (!in.at_line_end())
-      if (const std::string_view name = in.word(); name.size() > 1 && name[0] == '$' && is_letter(name[1]))
-        return true;
-  }
-  return false;
-}
 
 class Reader {
  public:
@@ -54,6 +30,10 @@ class Reader {
   Document read() {
     while (!in_.at_end()) {
       const std::size_t start = in_.offset();
+      if (start >= end_of_text(file_.bytes())) {
+        document_.warnings.push_back(warning_of_end(file_));
+        break;
+      }
       const std::string_view word = in_.word();
       if (document_.format.empty() && (word == "$NOD" || word == "$NOE")) document_.format = "msh1";
       if (word.size() < 2 || word[0] != '$') {
@@ -71,8 +51,8 @@ class Reader {
       section(name);
     }
     if (document_.format.empty()) in_.fail("$MeshFormat", {});
-    if (!has_nodes_) in_.fail("a section $Nodes", {});
-    if (!has_elements_) in_.fail("a section $Elements", {});
+    for (const auto& [has, name] : {std::pair(has_nodes_, "$Nodes"), std::pair(has_elements_, "$Elements")})
+      if (!has) document_.warnings.push_back(fmt::format("{}: there is no section {}", file_.path(), name));
     finish();
     if (!supplement_.empty()) take_back_supplement();
     return std::move(document_);
@@ -238,6 +218,7 @@ class Reader {
   }
 
   void finish() {
+    if (document_.format == "msh22" || document_.format == "msh3") take_ghosts_from_partitions(document_);
     if (nodes_came_later_ && !document_.unknown.empty()) find_late_nodes();
     if (document_.format != "msh1" && document_.format != "msh22") {
       std::map<std::pair<int, std::int64_t>, const Entity*> entities;
@@ -249,6 +230,7 @@ class Reader {
         if (document_.format != "msh3") block.partitions = found->second->partitions;
       }
     }
+    find_dimensions_of_names(document_);
     if (!data_.empty()) {
       if (!index_) index_.emplace(document_);
       data_.look_up(document_, *index_, copies_);

@@ -27,7 +27,16 @@ struct MshFormat {
 };
 /// Sets `document.format` too.
 MshFormat read_mesh_format(Scanner& in, Document& document);
+/// Version 2.0 has no dimensions of names: these get `no_dimension`, and a warning.
 void read_physical_names(Scanner& in, Document& document);
+inline constexpr int no_dimension = -1;
+/// Gives names without a dimension those of the elements in their groups: one name for each dimension. The
+/// name of a group without elements gets the largest dimension of all elements.
+void find_dimensions_of_names(Document& document);
+
+/// Whether bytes that are not read may be elements: they have the name of a section, a line that begins with
+/// a number, or characters that no text has.
+bool may_be_elements(std::string_view bytes);
 
 // Versions 4.0 and 4.1.
 void read_entities4(Numbers& in, bool v40, Document& document, TagSets& sets);

@@ -2,7 +2,12 @@
 // Reads the two sections of .msh files that are always text: $MeshFormat and $PhysicalNames.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/msh/msh_sections.hpp"
 
@@ -20,7 +25,31 @@ bool read_is_swapped(Scanner& in, const std::string& path) {
   place.fail_at_byte("expected the number 1 that tells the byte order");
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_binary(char c) {
+  return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f';
+}
+
 }  // namespace
+
+bool may_be_elements(std::string_view bytes) {
+  if (std::any_of(bytes.begin(), bytes.end(), is_binary)) return true;
+  const std::string no_path;
+  for (Scanner in(no_path, bytes); !in.at_end(); in.next_line()) {
+    const std::string_view word = in.peek_word();
+    const std::size_t first = word.find_first_not_of("+-.");
+    if (first != word.npos && is_digit(word[first])) return true;
+    while (!in.at_line_end())
+      if (const std::string_view name = in.word(); name.size() > 1 && name[0] == '$' && is_letter(name[1]))
+        return true;
+  }
+  return false;
+}
 
 MshFormat read_mesh_format(Scanner& in, Document& document) {
   MshFormat format;
@@ -49,14 +78,22 @@ MshFormat read_mesh_format(Scanner& in, Document& document) {
 
 void read_physical_names(Scanner& in, Document& document) {
   const std::int64_t count = in.count("the number of physical names", 6);
+  std::size_t bare = 0;
+  std::int64_t first_bare = 0;
   for (std::int64_t i = 0; i < count; ++i) {
     GroupName name;
     const std::int64_t dim = in.integer("the dimension of a physical group");
-    if (dim < 0 || dim > 3)
-      in.fail_in_line(fmt::format("expected the dimension of a physical group, 0 to 3, found {}", dim));
-    name.dim = static_cast<int>(dim);
-    name.group = in.integer("the number of a physical group");
     in.at_line_end();
+    if (in.peek_byte() == '"') {
+      name.dim = no_dimension, name.group = dim;
+      if (bare++ == 0) first_bare = in.line();
+    } else {
+      if (dim < 0 || dim > 3)
+        in.fail_in_line(fmt::format("expected the dimension of a physical group, 0 to 3, found {}", dim));
+      name.dim = static_cast<int>(dim);
+      name.group = in.integer("the number of a physical group");
+      in.at_line_end();
+    }
     const std::string_view line = in.rest_of_line();
     const std::size_t from = line.find('"'), to = line.rfind('"');
     if (from == std::string_view::npos || to == from) in.fail("a name in double quotes", line);
@@ -67,6 +104,34 @@ void read_physical_names(Scanner& in, Document& document) {
                fmt::format("line {}", in.line()));
     document.group_names.push_back(std::move(name));
   }
+  if (bare > 0)
+    document.warnings.push_back(fmt::format(
+        "{}:{}: {} {} no dimension, as in version 2.0; it is that of the elements in the group",
+        document.path, first_bare, counted(bare, "names of physical groups"), bare == 1 ? "has" : "have"));
+}
+
+void find_dimensions_of_names(Document& document) {
+  const auto& names = document.group_names;
+  if (std::none_of(names.begin(), names.end(), [](const GroupName& n) { return n.dim == no_dimension; }))
+    return;
+  int largest = 0;
+  std::map<std::int64_t, std::set<int>> dimensions;  // of the elements in a group
+  for (const ElementBlock& block : document.blocks) {
+    largest = std::max(largest, block.dim);
+    for (const std::int64_t group : document.tag_sets[static_cast<std::size_t>(block.groups)])
+      dimensions[group < 0 ? -group : group].insert(block.dim);
+  }
+  std::vector<GroupName> all;
+  for (const GroupName& name : names) {
+    if (name.dim != no_dimension) {
+      all.push_back(name);
+      continue;
+    }
+    const auto found = dimensions.find(name.group);
+    for (const int dim : found == dimensions.end() ? std::set{largest} : found->second)
+      all.push_back({dim, name.group, name.name});
+  }
+  document.group_names = std::move(all);
 }
 
 }  // namespace tetproof::io

@@ -162,7 +162,7 @@ class Maker {
       }
       if (has(Feature::partitions) && partitions.below(3) > 0) {
         std::vector<std::int64_t> tags{1 + partitions.below(2)};
-        if (partitions.chance(3)) tags.push_back(partitions.chance(2) ? 3 : -3);
+        if (partitions.chance(3)) tags.push_back(3);
         block.partitions = tag_set(tags);
       }
       add_block(block, dice, true);

@@ -208,7 +208,8 @@ bool cut_supplements(const std::filesystem::path& folder) {
 // Whether it is something that a writer adds for other programs: entities, without which .msh 4 has no groups
 // and partitions; TetGen's attributes and markers instead of groups.
 bool is_for_others(const std::string& item, const Target& target, const std::vector<Loss>& said) {
-  if (target.options.format.starts_with("msh")) return item == "gained entities";
+  if (target.options.format.starts_with("msh"))
+    return item == "gained entities" || item == "gained entities of ghost elements";
   return (item == "gained values \"attributes\" of elements" ||
           item == "gained values \"markers\" of elements") &&
          std::any_of(said.begin(), said.end(),

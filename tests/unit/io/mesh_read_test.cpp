@@ -57,8 +57,8 @@ const std::vector<Case> cases{
      "msh3\nG 3 7 steel\nE 0/1 0 0 0 0 0 0 g9 b\nE 1/4 0 0 0 0 0 0 g b1,-2\nE 2/5 0 0 0 0 0 0 g b-4\n"
      "E 3/2 0 0 0 0 0 0 g7,8 b5\n" +
          n4 +
-         "N 1/4 2: 0.5 0.75\nN 2/5 1: 0.25 0.125\ne 1 2 2/5 g p: 1 2 3\ne 2 4 3/2 g7,8 p1,-2: 1 2 3 4\n"
-         "e 3 4 3/2 g7,8 p: 1 2 3 ?9\n"},
+         "N 1/4 2: 0.5 0.75\nN 2/5 1: 0.25 0.125\ne 1 2 2/5 g p: 1 2 3\ne 2 4 3/2 g7,8 p1: 1 2 3 4\n"
+         "e 3 4 3/2 g7,8 p: 1 2 3 ?9\nghost element 2 1: 2\n"},
     {"Msh3SubElements",
      {{"a.msh",
        "$MeshFormat\n3 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0 0\n2 1 0 0 0\n$EndNodes\n"
@@ -183,7 +183,8 @@ const std::vector<Case> cases{
                     "4 4 4 -7 5 1 2 1 2 3 4\n5 4 6 7 5 3 2 -1 -3 1 2 3 4\n6 15 3 0 5 0 4\n$EndElements\n"}},
      "msh22\n" + n4 +
          "e 1 4 3/0 g p: 1 2 3 4\ne 2 4 3/0 g7 p: 1 2 3 4\ne 3 4 3/5 g7 p: 1 2 3 4\n"
-         "e 4 4 3/5 g-7 p2: 1 2 3 4\ne 5 4 3/5 g7 p2,-1,-3: 1 2 3 4\ne 6 15 0/5 g p: 4\n"},
+         "e 4 4 3/5 g-7 p2: 1 2 3 4\ne 5 4 3/5 g7 p2: 1 2 3 4\ne 6 15 0/5 g p: 4\n"
+         "ghost element 5 2: 1 3\n"},
     {"Msh20ThirdTagIsThePartition",
      {{"a.msh", "$MeshFormat\n2.0 0 8\n$EndMeshFormat\n" + nodes22 +
                     "$Elements\n1\n1 4 3 7 5 2 1 2 3 4\n$EndElements\n"}},

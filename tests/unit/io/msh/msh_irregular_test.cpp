@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// .msh files that Gmsh reads although something is missing or wrong in them, and ghosts of 2.2, which 4.1 has
+// in a section of its own.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/losses.hpp"
+#include "io/mesh_files.hpp"
+#include "tests/support/document_text.hpp"
+#include "tests/support/test_files.hpp"
+
+namespace tetproof {
+namespace {
+
+const std::string v20 = "$MeshFormat\n2 0 8\n$EndMeshFormat\n",
+                  v22 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
+                  v40 = "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+                  v41 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
+                  nodes22 = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
+const std::string four_points = "n 1 0 0 0\nn 2 1 0 0\nn 3 0 1 0\nn 4 0 0 1\n";
+
+struct Read {
+  Document document;
+  std::vector<std::string> warnings;
+};
+Read read(const std::string& bytes) {
+  const test::TestFiles files;
+  Read read{read_document(files.write("a.msh", bytes)), {}};
+  for (const std::string& warning : read.document.warnings)
+    read.warnings.push_back(warning.substr(files.path("").size()));
+  return read;
+}
+using Lines = std::vector<std::string>;
+
+TEST(MshIrregular, NamesWithoutDimensions) {
+  const Read got = read(v20 +
+                        "$PhysicalNames\n4\n1 \"steel\"\n2 \"air gap\"\n2 3 \"with one\"\n9 \"empty\"\n"
+                        "$EndPhysicalNames\n" +
+                        nodes22 +
+                        "$Elements\n3\n1 4 3 1 1 0 1 2 3 4\n2 2 3 2 2 0 1 2 3\n3 1 3 1 2 0 1 2\n"
+                        "$EndElements\n");
+  std::string names;
+  for (const GroupName& name : got.document.group_names)
+    names += fmt::format("{} {} {}\n", name.dim, name.group, name.name);
+  // Group 1 has elements of two dimensions; group 9 has none.
+  EXPECT_EQ(names, "1 1 steel\n3 1 steel\n2 2 air gap\n2 3 with one\n3 9 empty\n");
+  EXPECT_EQ(
+      got.warnings,
+      (Lines{"a.msh:6: 3 names of physical groups have no dimension, as in version 2.0; it is that of the "
+             "elements in the group"}));
+}
+
+TEST(MshIrregular, NoNodesOrElements) {
+  const Read none = read(v41 + "$Entities\n1 0 0 0\n1 0 0 0 0\n$EndEntities\n");
+  EXPECT_EQ(none.document.entities.size(), 1u);
+  EXPECT_EQ(none.document.points.size(), 0u);
+  EXPECT_EQ(none.warnings,
+            (Lines{"a.msh: there is no section $Nodes", "a.msh: there is no section $Elements"}));
+  const Read nodes = read(v22 + nodes22);
+  EXPECT_EQ(test::text_of(nodes.document, false), four_points);
+  EXPECT_EQ(nodes.warnings, (Lines{"a.msh: there is no section $Elements"}));
+  EXPECT_EQ(read(v22).warnings.size(), 2u);
+}
+
+// The blocks have counts of their own, by which Gmsh goes.
+TEST(MshIrregular, WrongTotals) {
+  const std::string block = "0 1 0 2\n1\n2\n0 0 0\n1 0 0\n", last = "0 2 0 2\n3\n4\n0 1 0\n0 0 1\n";
+  const std::string tets = "3 1 4 1\n1 1 2 3 4\n", lines = "1 1 1 2\n2 1 2\n3 2 3\n";
+  for (const auto& [nodes, elements, warnings] :
+       {std::tuple("2 4 1 4", "2 3 1 3", Lines{}),
+        {"2 12 1 4", "2 18 1 18",
+         Lines{"a.msh:5: 12 nodes in 2 blocks are announced, and 4 nodes in 2 blocks are there",
+               "a.msh:18: 18 elements in 2 blocks are announced, and 3 elements in 2 blocks are there"}},
+        {"1 2 1 2", "1 1 1 1",
+         Lines{"a.msh:5: 2 nodes in 1 block are announced, and 4 nodes in 2 blocks are there",
+               "a.msh:18: 1 element in 1 block is announced, and 3 elements in 2 blocks are there"}},
+        {"7 4 1 4", "3 3 1 3",
+         Lines{"a.msh:5: 4 nodes in 7 blocks are announced, and 4 nodes in 2 blocks are there",
+               "a.msh:18: 3 elements in 3 blocks are announced, and 3 elements in 2 blocks are there"}},
+        {"2 9000000000000000000 1 4", "2 0 1 3",
+         Lines{"a.msh:5: 9000000000000000000 nodes in 2 blocks are announced, and 4 nodes in 2 blocks are "
+               "there",
+               "a.msh:18: 0 elements in 2 blocks are announced, and 3 elements in 2 blocks are there"}}}) {
+    const Read got = read(v41 + "$Nodes\n" + nodes + "\n" + block + last + "$EndNodes\n$Elements\n" +
+                          elements + "\n" + tets + lines + "$EndElements\n");
+    EXPECT_EQ(got.warnings, warnings) << nodes;
+    EXPECT_EQ(test::text_of(got.document, false),
+              four_points +
+                  "N 0/1 2: \nN 0/2 2: \ne 1 4 3/1 g p: 1 2 3 4\ne 2 1 1/1 g p: 1 2\ne 3 1 1/1 g p: 2 3\n")
+        << nodes;
+  }
+  // 4.0 has its numbers in another order.
+  const Read old = read(v40 +
+                        "$Nodes\n1 9\n1 0 0 2\n1 0 0 0\n2 1 0 0\n$EndNodes\n$Elements\n1 9\n1 1 1 1\n1 1 2\n"
+                        "$EndElements\n");
+  EXPECT_EQ(old.warnings.size(), 2u);
+  EXPECT_EQ(test::text_of(old.document, false), "n 1 0 0 0\nn 2 1 0 0\nN 0/1 2: \ne 1 1 1/1 g p: 1 2\n");
+}
+
+TEST(MshIrregular, ATextThatEndsInABlockIsRefused) {
+  const test::TestFiles files;
+  EXPECT_EQ(files.message([&] {
+    read_document(files.write("a.msh", v41 + "$Nodes\n1 2 1 2\n0 1 0 2\n1\n2\n0 0 0\n"));
+  }),
+            "a.msh:10: expected a coordinate, found the end of the file");
+  EXPECT_EQ(files.message(
+                [&] { read_document(files.write("a.msh", v41 + "$Nodes\n2 2 1 2\n0 1 0 1\n1\n0 0 0\n")); }),
+            "a.msh:9: expected $EndNodes, found the end of the file");
+}
+
+// Element 1 belongs to partition 1 and is a ghost of 2 and 3, element 2 of the same entity is one of 2,
+// element 3 is none; element 4 belongs to two partitions.
+const std::string ghosts = v22 + nodes22 +
+                           "$Elements\n4\n1 4 6 7 1 3 1 -2 -3 1 2 3 4\n2 4 5 7 1 2 1 -2 2 3 1 4\n"
+                           "3 4 4 7 1 1 1 3 1 2 4\n4 4 6 7 1 3 2 3 -1 1 2 3 4\n$EndElements\n";
+
+TEST(MshIrregular, GhostsOf22ComeTo41AndBack) {
+  const test::TestFiles files;
+  const Document document = read_document(files.write("a.msh", ghosts));
+  EXPECT_TRUE(document.dropped.empty());
+  EXPECT_EQ(document.blocks.size(), 2u);
+  const std::string elements =
+      "e 1 4 3/1 g7 p1: 1 2 3 4\ne 2 4 3/1 g7 p1: 2 3 1 4\ne 3 4 3/1 g7 p1: 3 1 2 4\ne 4 4 3/1 g7 p2,3: 1 2 "
+      "3 4\n";
+  const std::string of_ghosts = "ghost element 1 1: 2 3\nghost element 2 1: 2\nghost element 4 2: 1\n";
+  EXPECT_EQ(test::text_of(document, false), four_points + elements + of_ghosts);
+  for (const bool binary : {false, true}) {
+    const std::string old = files.path("b.msh"), now = files.path("c.msh");
+    const WriteOptions to22{.format = "msh22", .binary = binary}, to41{.format = "msh41", .binary = binary};
+    EXPECT_TRUE(losses(old, document, to22).empty());
+    for (const Loss& loss : kept_aside(old, document, to22).items) ADD_FAILURE() << loss.item;
+    write_document(old, document, to22);
+    files.leave_out_supplement(old);
+    EXPECT_EQ(test::text_of(read_document(old), false), test::text_of(document, false)) << files.read(old);
+
+    for (const Loss& loss : kept_aside(now, document, to41).items)
+      EXPECT_EQ(loss.item.find("artition"), loss.item.npos) << loss.item;  // of elements, of ghosts
+    write_document(now, document, to41);
+    files.leave_out_supplement(now);
+    const Document back = read_document(now);
+    std::string partitions;
+    for (const ElementBlock& block : back.blocks)
+      partitions += fmt::format("{} in {}; ", block.count,
+                                fmt::join(back.tag_sets[static_cast<std::size_t>(block.partitions)], ","));
+    EXPECT_EQ(partitions, "3 in 1; 1 in 2,3; ");
+    EXPECT_NE(test::text_of(back, false).find(of_ghosts), std::string::npos) << test::text_of(back, false);
+  }
+}
+
+// Nothing tells the owner of an element whose partitions are all negative.
+TEST(MshIrregular, GhostsWithoutAnOwnerStayPartitions) {
+  const Read got = read(v22 + nodes22 + "$Elements\n1\n1 4 4 7 1 1 -2 1 2 3 4\n$EndElements\n");
+  EXPECT_EQ(test::text_of(got.document, false), four_points + "e 1 4 3/1 g7 p-2: 1 2 3 4\n");
+}
+
+}  // namespace
+}  // namespace tetproof
