@@ -11,9 +11,10 @@
 
 namespace tetproof::io {
 
-/// Reads Geomview's OFF, text and binary. The keyword [ST][C][N]OFF may be missing. The counts are in the
-/// keyword's line or below it, with or without the number of edges. Comments may be anywhere. Each point and
-/// each face has a line; if no face has a colour, a face may continue in the next lines.
+/// Reads Geomview's OFF, text and binary; binary also with little-endian numbers, which is a warning. The
+/// keyword [ST][C][N]OFF may be missing. The counts are in the keyword's line or below it, with or without
+/// the number of edges. Comments may be anywhere. Each point and each face has a line; if no face has a
+/// colour, a face may continue in the next lines.
 ///
 /// Nodes are numbered from 0. A face of two corners is a line, a face of one corner is a point. Values of
 /// nodes: "normal", "color" (3 or 4 components, also in plain OFF), "texture". Values of elements: "color".

@@ -30,9 +30,10 @@ class Reader {
   void read() {
     scanner_.word();  // BINARY
     scanner_.next_line();
+    find_order();
     const std::size_t vertices = count("the number of vertices", 12);
     const std::size_t faces = count("the number of faces", 8);
-    load<std::int32_t>(scanner_.raw(4, "the number of edges").data(), std::endian::big);
+    load<std::int32_t>(scanner_.raw(4, "the number of edges").data(), order_);
     read_vertices(vertices);
     read_faces(faces);
     if (scanner_.remaining() > 0)
@@ -41,8 +42,30 @@ class Reader {
   }
 
  private:
+  // OFF is big-endian. Some programs write the order of their machine: the counts show it, unless they are
+  // possible in both orders.
+  void find_order() {
+    const Scanner start = scanner_;
+    const auto possible = [&] {
+      scanner_ = start;
+      const std::int64_t vertices = integer("the number of vertices"), faces = integer("the number of faces");
+      const auto left = static_cast<std::int64_t>(scanner_.remaining());
+      return vertices >= 0 && faces >= 0 && 12 * vertices + 8 * faces <= left;
+    };
+    if (!possible()) {
+      order_ = std::endian::little;
+      if (possible())
+        read_.document.warnings.push_back(
+            fmt::format("{}: byte {}: the numbers are little-endian; OFF has big-endian ones", file_.path(),
+                        start.offset()));
+      else
+        order_ = std::endian::big;
+    }
+    scanner_ = start;
+  }
+
   std::int32_t integer(const char* expected) {
-    return load<std::int32_t>(scanner_.raw(4, expected).data(), std::endian::big);
+    return load<std::int32_t>(scanner_.raw(4, expected).data(), order_);
   }
 
   // A count that the rest of the file can hold.
@@ -58,7 +81,7 @@ class Reader {
   std::vector<double> floats(std::size_t how_many, const char* expected) {
     std::vector<double> numbers;
     for (std::size_t k = 0; k < how_many; ++k)
-      numbers.push_back(load<float>(scanner_.raw(4, expected).data(), std::endian::big));
+      numbers.push_back(load<float>(scanner_.raw(4, expected).data(), order_));
     return numbers;
   }
 
@@ -104,6 +127,7 @@ class Reader {
   const bool surface_;
   ReadDocument& read_;
   Scanner scanner_;
+  std::endian order_ = std::endian::big;
 };
 
 }  // namespace

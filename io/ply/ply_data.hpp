@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <string>
 
+#include "io/bytes/input_file.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
 #include "io/bytes/words.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/surface/surface_document.hpp"
@@ -18,7 +20,8 @@ namespace tetproof::io {
 /// Reads the numbers of the elements one after another.
 class PlyData {
  public:
-  PlyData(Scanner& scanner, const PlyHeader& header) : scanner_(scanner), header_(header) {}
+  PlyData(const InputFile& file, Scanner& scanner, const PlyHeader& header)
+      : file_(file), scanner_(scanner), header_(header) {}
 
   double number(const PlyType& type) {
     if (header_.text) return scanner_.real_in_line("a number");
@@ -66,7 +69,7 @@ class PlyData {
   }
   /// InputError if anything but blanks follows the last element: its count is too small.
   void end(const PlyElement& last) {
-    if (scanner_.at_end()) return;
+    if (scanner_.at_end() || (header_.text && scanner_.offset() >= end_of_text(file_.bytes()))) return;
     const std::string expected =
         fmt::format("the end of the file after {} of element '{}'", last.count, shown_name(last.name));
     if (!header_.text)
@@ -81,6 +84,7 @@ class PlyData {
   }
 
  private:
+  const InputFile& file_;
   Scanner& scanner_;
   const PlyHeader& header_;
 };

@@ -18,6 +18,7 @@
 #include "io/ply/ply_data.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_properties.hpp"
+#include "io/ply/ply_strips.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -30,11 +31,13 @@ class Reader {
         surface_(wanted == Wanted::surface),
         scanner_(file),
         header_(read_ply_header(scanner_, file.bytes())),
-        data_(scanner_, header_) {
+        data_(file, scanner_, header_) {
     source_.text = header_.text;
     Document& document = source_.document;
     document.path = file.path(), document.format = "ply", document.first_node = 0;
     document.title = header_.title;
+    if (const std::string warning = header_.text ? warning_of_end(file) : ""; !warning.empty())
+      document.warnings.push_back(warning);
   }
 
   ReadDocument read() {
@@ -43,20 +46,29 @@ class Reader {
       const PlyElement* element;
       Scanner scanner;
     };
-    std::vector<Later> later;  // elements that name points, and stand above these
+    // Elements that name points, and stand above these. Lines come behind the faces, as they are written:
+    // their order in the file says nothing.
+    std::vector<Later> later;
     bool points = false;
+    std::size_t faces_left = (faces_ != nullptr) + (strips_ != nullptr);
     for (const PlyElement& element : header_.elements) {
       if (&element == vertices_) {
         read_vertices();
         points = true;
-      } else if ((&element == faces_ || &element == strips_ || &element == edges_) && !points) {
+        continue;
+      }
+      const bool has_faces = &element == faces_ || &element == strips_;
+      if (points ? &element == edges_ && faces_left > 0 : has_faces || &element == edges_) {
         later.push_back({&element, scanner_});
         skip_element(data_, element);
-      } else {
-        read_other(element);
+        continue;
       }
+      read_other(element);
+      faces_left -= has_faces;
     }
     data_.end(header_.elements.back());
+    std::stable_partition(later.begin(), later.end(),
+                          [&](const Later& one) { return one.element != edges_; });
     for (const Later& one : later) {
       scanner_ = one.scanner;
       read_other(*one.element);
@@ -185,8 +197,6 @@ class Reader {
         first);
   }
 
-  // Triangles of each strip: corners 1 2 3, then 3 2 4, and so on; -1 ends a strip. Two equal corners only
-  // turn the strip, and make no triangle.
   void read_strips() {
     const PlyElement& element = *strips_;
     Document& document = source_.document;
@@ -204,13 +214,7 @@ class Reader {
         for (std::int64_t& corner : strip) corner = data_.integer(*property.type, "a vertex or -1");
       }
       data_.end_instance();
-      std::size_t start = 0;
-      for (std::size_t k = 0; k < strip.size(); ++k) {
-        if (strip[k] == -1) start = k + 1;
-        if (k < start + 2) continue;
-        const bool turned = (k - start) % 2 == 1;
-        const std::int64_t a = strip[turned ? k - 1 : k - 2], b = strip[turned ? k - 2 : k - 1], c = strip[k];
-        if (a == b || b == c || c == a) continue;
+      for (const auto& [a, b, c] : triangles_of_strip(strip)) {
         if (surface_) source_.places.push_back(place);
         add_element(document, std::array{nodes(a), nodes(b), nodes(c)});
       }

@@ -13,10 +13,12 @@ namespace tetproof::io {
 
 /// Reads STL. The file is binary if the number of facets behind the 80-byte header agrees with the file's
 /// size, whatever the first letters of the header are. It is also binary if that number is 0 and the size is
-/// 84 + 50 n, because some programs never go back to write the number. If less than a facet follows the last
-/// one, it is dropped. Every other file is text: any number of solids, keywords in any case, `end` joined to
-/// its keyword or separate from it. Names and `endsolid` may be missing. Coordinates of the text form are
-/// read as doubles.
+/// 84 + 50 n, because some programs never go back to write the number. A file with zero bytes is binary too,
+/// if its numbers are such as meshes have: a warning says that the number of facets is another one. All
+/// facets are read if no byte is left behind them, else those that are announced. Bytes behind these are
+/// dropped, and so are facets that are announced but not there. Every other file is text: any number of
+/// solids, keywords in any case, `end` joined to its keyword or separate from it. Names and `endsolid` may be
+/// missing. Text behind the last solid is dropped. Coordinates of the text form are read as doubles.
 ///
 /// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see
 /// io/stl/stl_solids.hpp. Binary: the header, without blanks and zeros around it, is the title; attributes

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,8 @@
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
+#include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
@@ -35,10 +38,21 @@ void expect(Scanner& scanner, std::string_view lower) {
   if (!same_word(word, lower)) scanner.fail(fmt::format("'{}'", lower), word);
 }
 
-// A binary file: its facets, and bytes behind the last one.
+// A binary file: its facets, those announced, and bytes behind the last one.
 struct Binary {
-  std::size_t facets = 0, trailing = 0;
+  std::size_t facets = 0, announced = 0, trailing = 0;
 };
+
+// Whether all numbers of the first facets are such as meshes have. Bytes of another kind of file are not.
+bool has_facets(std::string_view bytes, std::size_t facets) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(facets, 20); ++i)
+    for (std::size_t k = 3; k < 12; ++k) {  // the normal may be anything
+      const auto x = std::abs(
+          load<float>(bytes.data() + stl_header_bytes + stl_facet_bytes * i + 4 * k, std::endian::little));
+      if (x != 0 && !(x > 1e-30F && x < 1e30F)) return false;
+    }
+  return facets > 0;
+}
 
 // None if the file is text.
 std::optional<Binary> binary_form(const InputFile& file) {
@@ -47,15 +61,20 @@ std::optional<Binary> binary_form(const InputFile& file) {
   const std::size_t announced = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
   const std::size_t facets = (bytes.size() - stl_header_bytes) / stl_facet_bytes;
   const std::size_t trailing = (bytes.size() - stl_header_bytes) % stl_facet_bytes;
-  if (trailing == 0 && (announced == facets || announced == 0)) return Binary{facets, 0};
+  if (trailing == 0 && (announced == facets || announced == 0)) return Binary{facets, facets, 0};
   // Four characters of a text would announce more facets than any file has.
-  if (announced == facets && facets > 0) return Binary{facets, trailing};
-  // No text has a zero byte: this is a binary file that lost its end, or its count.
-  if (bytes.substr(0, stl_header_bytes).find('\0') != bytes.npos)
+  if (announced == facets && facets > 0) return Binary{facets, announced, trailing};
+  // No text has a zero byte: this is a binary file whose number of facets is wrong, or that lost its end.
+  const std::string_view start =
+      bytes.substr(0, end_of_text(bytes)).substr(0, stl_header_bytes + 2 * stl_facet_bytes);
+  if (start.find('\0') == start.npos) return {};
+  if (!has_facets(bytes, facets))
     throw InputError(fmt::format("{}: byte 80: expected {} bytes for the {} announced here, found {}",
                                  file.path(), stl_header_bytes + stl_facet_bytes * announced,
                                  counted(announced, "facets"), bytes.size()));
-  return {};
+  // Bytes that make whole facets are taken for facets.
+  const std::size_t read = trailing == 0 ? facets : std::min(announced, facets);
+  return Binary{read, announced, bytes.size() - stl_header_bytes - stl_facet_bytes * read};
 }
 
 class Reader {
@@ -66,7 +85,7 @@ class Reader {
 
   ReadDocument read() {
     if (const std::optional<Binary> binary = binary_form(file_))
-      read_binary(binary->facets, binary->trailing);
+      read_binary(*binary);
     else
       read_text();
     return finish();
@@ -78,13 +97,21 @@ class Reader {
     std::size_t facets = 0;
   };
 
-  void read_binary(std::size_t facets, std::size_t trailing) {
+  void read_binary(const Binary& binary) {
+    const std::size_t facets = binary.facets;
     source_.text = false;
     document_.title = stl_title(file_.bytes().substr(0, 80));
-    if (load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little) != facets)
-      warn(fmt::format("byte 80: 0 facets are announced, {} are there", facets));
-    add_loss(document_.dropped, "bytes behind the last facet", trailing,
-             fmt::format("byte {}", stl_header_bytes + stl_facet_bytes * facets));
+    const std::size_t said = load<std::uint32_t>(file_.bytes().data() + 80, std::endian::little);
+    if (said != facets)
+      warn(fmt::format("byte 80: {} {} announced, {} {} there", counted(said, "facets"),
+                       said == 1 ? "is" : "are", facets, facets == 1 ? "is" : "are"));
+    // All ones stand for a number that was not known when the header was written.
+    if (said > facets && said != 0xFFFFFFFF)
+      add_loss(document_.dropped, "facets that are announced but not there", said - facets,
+               fmt::format("{} of {} {} there", facets, said, facets == 1 ? "is" : "are"), true);
+    add_loss(document_.dropped, "bytes behind the last facet", binary.trailing,
+             fmt::format("byte {}", stl_header_bytes + stl_facet_bytes * facets),
+             binary.trailing >= stl_facet_bytes);
     Values attributes{.name = "attribute"};
     points_.reserve(3 * facets);
     for (std::size_t i = 0; i < facets; ++i) {
@@ -157,10 +184,22 @@ class Reader {
         solids_.push_back({stl_title(scanner.rest_of_line()), 0});
       } else if (is_end(word, "solid", scanner)) {
         scanner.rest_of_line();  // the name again, or none
+        scanner.at_end();
+        behind_solid_ = scanner.offset();
+      } else if (is_trailing(place)) {
+        add_loss(document_.dropped, "bytes behind the last solid", text_.size() - place,
+                 fmt::format("line {}", line_of(place)));
+        break;
       } else {
         scanner.fail("'facet', 'endsolid' or 'solid'", word);
       }
     }
+  }
+
+  // Whether the bytes from `place` on follow the end of a solid, and no facet is among them.
+  bool is_trailing(std::size_t place) const {
+    if (place != behind_solid_) return false;
+    return lower_case(text_.substr(place)).find("facet") == text_.npos;
   }
 
   // Counts normals that point against the order of the last three corners.
@@ -219,7 +258,8 @@ class Reader {
   ReadDocument source_;
   std::vector<Eigen::Vector3d> points_;  // three of each facet
   std::vector<Solid> solids_;
-  std::string_view text_;  // of a text file
+  std::string_view text_;         // of a text file
+  std::size_t behind_solid_ = 0;  // in the text: where the first word behind the last `endsolid` begins
   std::size_t against_ = 0, first_against_ = 0;
   std::size_t ends_in_two_words_ = 0, first_end_in_two_words_ = 0;
 };

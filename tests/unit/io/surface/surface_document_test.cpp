@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <ostream>
@@ -48,6 +49,20 @@ std::string binary_stl(std::string bytes, std::uint16_t attribute, float normal_
   const float numbers[12]{0, 0, normal_z, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   std::memcpy(bytes.data() + 84, numbers, 48);
   std::memcpy(bytes.data() + 132, &attribute, 2);
+  return bytes;
+}
+
+std::string announcing(std::uint32_t facets, std::string bytes) {
+  for (int k = 0; k < 4; ++k)
+    bytes[static_cast<std::size_t>(80 + k)] = static_cast<char>(facets >> 8 * k & 255);
+  return bytes;
+}
+
+// Turns each number of four bytes behind the first line around.
+std::string other_order(std::string bytes) {
+  for (std::size_t i = bytes.find('\n') + 1; i + 4 <= bytes.size(); i += 4)
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(i + 4));
   return bytes;
 }
 
@@ -101,6 +116,45 @@ const std::vector<Case> cases{
      {},
      true,
      {"2 bytes behind the last facet (byte 134)"}},
+    {"StlMoreFacetsThanAnnounced",
+     "a.stl",
+     binary_stl("a CAD", 0) + binary_stl("", 0).substr(84),
+     "title a CAD\ne2: 1 2 3\ne2: 1 2 3\n",
+     {"a.stl: byte 80: 1 facet is announced, 2 are there"},
+     true},
+    {"StlFewerFacetsThanAnnounced",
+     "a.stl",
+     announcing(3, binary_stl("", 0) + std::string(20, '\1')),
+     "e2: 1 2 3\n",
+     {"a.stl: byte 80: 3 facets are announced, 1 is there"},
+     true,
+     {"2 facets that are announced but not there (1 of 3 is there)",
+      "20 bytes behind the last facet (byte 134)"}},
+    {"StlUnknownNumberOfFacets",
+     "a.stl",
+     announcing(0xFFFFFFFF, binary_stl("", 0)),
+     "e2: 1 2 3\n",
+     {"a.stl: byte 80: 4294967295 facets are announced, 1 is there"},
+     true},
+    {"StlMoreBytesThanAnnounced",
+     "a.stl",
+     binary_stl("", 0) + binary_stl("", 0).substr(84) + "xyz",
+     "e2: 1 2 3\n",
+     {},
+     true,
+     {"53 bytes behind the last facet (byte 134)"}},
+    {"StlTextBehindTheEnd",
+     "a.stl",
+     "solid s\n" + facet + "endsolid s\n\nmade by hand, with 1 triangle\n",
+     "group 2 1 s\ne2 g1: 1 2 3\n",
+     {},
+     false,
+     {"30 bytes behind the last solid (line 11)"}},
+    {"StlEndOfDos",
+     "a.stl",
+     "solid\r\n" + facet + "endsolid\r\n\x1a",
+     "e2: 1 2 3\n",
+     {"a.stl: byte 103: ^Z at the end is passed over"}},
     {"StlEndsInTwoWords",
      "a.stl",
      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nEND Loop\nend "
@@ -159,6 +213,18 @@ const std::vector<Case> cases{
      false,
      {"3 bytes behind the last face (byte 219)"}},
 
+    {"OffBinaryOfTheOtherOrder",
+     "a.off",
+     other_order(binary_off("OFF BINARY\n", {3, 1, 0}) + floats({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                 binary_off("", {3, 0, 1, 2, 0})),
+     "e2: 0 1 2\n",
+     {"a.off: byte 11: the numbers are little-endian; OFF has big-endian ones"}},
+    {"OffEndOfDos",
+     "a.off",
+     "\xEF\xBB\xBFOFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\x1a\r\n",
+     "e2: 0 1 2\n",
+     {"a.off: byte 39: ^Z at the end is passed over"}},
+
     {"ObjGroups", "a.obj",
      "# made by hand\n#\nmtllib a.mtl b.mtl\n" + obj_square +
          "g wing left\nf 1 2 3\ng left 12\nf 1 3 4\ng\nf 2 3 4\ng two%20words\np 1 2\nl 1 2 3\n",
@@ -208,7 +274,12 @@ const std::vector<Case> cases{
      "a.obj",
      obj_square + "f 1 2 3" + std::string(1, '\0'),
      "e2: 1 2 3\n",
-     {"a.obj: byte 39: 1 zero bytes at the end are passed over"}},
+     {"a.obj: byte 39: 1 zero byte at the end is passed over"}},
+    {"ObjEndOfDos",
+     "a.obj",
+     "\xEF\xBB\xBF" + obj_square + "f 1 2 3\n\x1a" + std::string(2, '\0'),
+     "e2: 1 2 3\n",
+     {"a.obj: byte 43: 2 zero bytes and ^Z at the end are passed over"}},
     {"ObjBadCorners",
      "a.obj",
      obj_square + "vt 0 0\nvt 1 1\nf 1/1 2/7 3/1\nf 1/1 2 3/1\n",
@@ -254,6 +325,17 @@ const std::vector<Case> cases{
      {},
      false,
      {"1 properties of tristrips (heat)"}},
+    {"PlyEndOfDos",
+     "a.ply",
+     "\xEF\xBB\xBF" + ply_start + "element vertex 3\n" + ply_xyz + "element face 1\n" + ply_list +
+         "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\x1a",
+     "e2: 0 1 2\n",
+     {"a.ply: byte 183: ^Z at the end is passed over"}},
+    {"PlyStripsWithRestarts", "a.ply",
+     ply_start + "element vertex 4\n" + ply_xyz +
+         "element tristrips 2\nproperty list int int vertex_index\n" + "end_header\n" + square +
+         "8 0 1 3 -1 3 1 2 0\n5 -1 0 1 1 3\n",
+     "e2: 0 1 3\ne2: 3 1 2\ne2: 2 1 0\n"},
     {"PlyPoints", "a.ply",
      ply_start + "element vertex 2\n" + ply_xyz +
          "property uchar confidence\nend_header\n0 0 0 1\n1 0 0 200\n",
