@@ -9,6 +9,7 @@
 #include "io/bytes/tokens.hpp"
 #include "io/obj/obj.hpp"
 #include "io/obj/obj_plan.hpp"
+#include "io/surface/kept_part.hpp"
 #include "io/surface/surface_lines.hpp"
 #include "io/surface/titles.hpp"
 
@@ -182,15 +183,23 @@ class Writer {
   std::pair<int, std::int32_t> groups_{2, 0};
 };
 
+std::vector<std::size_t> elements_written(const Document& document) {
+  return kept_elements(document, [](const KeptElement&) { return true; });
+}
+
 class ObjFilePlan : public OneFilePlan {
  public:
-  explicit ObjFilePlan(const Document& document) : OneFilePlan(document), plan_(document) {
-    holds_ = obj_holds(document, plan_);
+  explicit ObjFilePlan(const Document& document)
+      : OneFilePlan(document),
+        part_(document, elements_written, KeptPart::Form::lists),
+        plan_(part_.document()) {
+    holds_ = part_.holds(obj_holds(part_.document(), plan_));
   }
 
  private:
-  void write_into(AtomicFile& file) override { Writer(file, document_, plan_).write(); }
+  void write_into(AtomicFile& file) override { Writer(file, part_.document(), plan_).write(); }
 
+  const KeptPart part_;
   const ObjPlan plan_;
 };
 

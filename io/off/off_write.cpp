@@ -6,6 +6,7 @@
 
 #include "io/off/off.hpp"
 #include "io/off/off_plan.hpp"
+#include "io/surface/kept_part.hpp"
 #include "io/surface/surface_lines.hpp"
 #include "io/surface/titles.hpp"
 
@@ -41,15 +42,24 @@ void write_off(AtomicFile& file, const Document& document, const OffPlan& plan) 
   });
 }
 
+std::vector<std::size_t> elements_written(const Document& document) {
+  return kept_elements(document,
+                       [&](const KeptElement& e) { return e.corners >= 3 || document.format == "off"; });
+}
+
 class OffFilePlan : public OneFilePlan {
  public:
-  explicit OffFilePlan(const Document& document) : OneFilePlan(document), plan_(off_plan(document)) {
-    holds_ = off_holds(document, plan_);
+  explicit OffFilePlan(const Document& document)
+      : OneFilePlan(document),
+        part_(document, elements_written, KeptPart::Form::lists),
+        plan_(off_plan(part_.document())) {
+    holds_ = part_.holds(off_holds(part_.document(), plan_));
   }
 
  private:
-  void write_into(AtomicFile& file) override { write_off(file, document_, plan_); }
+  void write_into(AtomicFile& file) override { write_off(file, part_.document(), plan_); }
 
+  const KeptPart part_;
   const OffPlan plan_;
 };
 

@@ -9,6 +9,7 @@
 #include "io/ply/ply.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/ply/ply_plan.hpp"
+#include "io/surface/kept_part.hpp"
 #include "io/surface/surface_lines.hpp"
 #include "io/surface/titles.hpp"
 
@@ -137,16 +138,28 @@ class Writer {
   int corners_ = 0;
 };
 
+// The elements in the order of the file.
+std::vector<std::size_t> faces_and_lines(const Document& document) {
+  std::vector<std::size_t> all = kept_elements(document, [](const KeptElement& e) { return e.corners >= 3; });
+  const auto lines = kept_elements(document, [](const KeptElement& e) { return e.corners == 2; });
+  all.insert(all.end(), lines.begin(), lines.end());
+  return all;
+}
+
 class PlyFilePlan : public OneFilePlan {
  public:
   PlyFilePlan(const Document& document, bool binary)
-      : OneFilePlan(document), plan_(document, binary), binary_(binary) {
-    holds_ = ply_holds(document, plan_);
+      : OneFilePlan(document),
+        part_(document, faces_and_lines, KeptPart::Form::runs),
+        plan_(part_.document(), binary),
+        binary_(binary) {
+    holds_ = part_.holds(ply_holds(part_.document(), plan_));
   }
 
  private:
-  void write_into(AtomicFile& file) override { Writer(file, document_, plan_, binary_).write(); }
+  void write_into(AtomicFile& file) override { Writer(file, part_.document(), plan_, binary_).write(); }
 
+  const KeptPart part_;
   const PlyPlan plan_;
   const bool binary_;
 };

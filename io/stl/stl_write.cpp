@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/error.hpp"
 #include "io/stl/stl.hpp"
 #include "io/stl/stl_plan.hpp"
+#include "io/surface/kept_part.hpp"
 #include "io/surface/surface_lines.hpp"
 
 namespace tetproof::io {
@@ -122,18 +124,37 @@ void write_text(AtomicFile& file, const Document& document, const StlPlan& plan)
     write_solid(file, document.points, facets_of(document, solids[s]), lines[s]);
 }
 
+// The triangles, if these are all that is written. Elements that are cut have no single facet for their
+// attribute, so the document stays as it is with them.
+std::vector<std::size_t> elements_with_attributes(const Document& document) {
+  bool is_cut = false;
+  std::vector<std::size_t> triangles = kept_elements(document, [&](const KeptElement& e) {
+    is_cut = is_cut || (e.corners > 3 &&
+                        start_of_fan(document.points, e.nodes, static_cast<std::size_t>(e.corners)) >= 0);
+    return e.corners == 3;
+  });
+  if (!is_cut) return triangles;
+  triangles.resize(document.elements());
+  std::iota(triangles.begin(), triangles.end(), std::size_t{0});
+  return triangles;
+}
+
 class StlFilePlan : public OneFilePlan {
  public:
   StlFilePlan(const Document& document, bool binary)
-      : OneFilePlan(document), plan_(stl_plan(document)), binary_(binary) {
-    holds_ = stl_holds(document, plan_, binary);
+      : OneFilePlan(document),
+        part_(document, elements_with_attributes, KeptPart::Form::lists),
+        plan_(stl_plan(part_.document())),
+        binary_(binary) {
+    holds_ = part_.holds(stl_holds(part_.document(), plan_, binary));
   }
 
  private:
   void write_into(AtomicFile& file) override {
-    binary_ ? write_binary(file, document_, plan_) : write_text(file, document_, plan_);
+    binary_ ? write_binary(file, part_.document(), plan_) : write_text(file, part_.document(), plan_);
   }
 
+  const KeptPart part_;
   const StlPlan plan_;
   const bool binary_;
 };
