@@ -66,6 +66,7 @@ const std::vector<Codec>& codecs() {
       {{.name = "medit",
         .what = "Medit .mesh and .meshb",
         .endings = {".mesh", ".meshb"},
+        .endings_beside = {".sol", ".solb"},
         .reads = true,
         .binary_ending = ".meshb"},
        read_mesh<read_medit>,

@@ -59,9 +59,9 @@ struct ReadOptions {
 };
 
 /// Reads .msh 1 to 3, 4.0 and 4.1 (text, and binary of both byte orders), TetGen's files (.node and .ele each
-/// bring the other), .vtu, .vtk, .mesh, .meshb, surfaces; and, through Gmsh, the formats that only Gmsh
-/// reads: `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. "-" is standard input, which brings no file beside
-/// it.
+/// bring the other), .vtu, .vtk, .mesh, .meshb (a .sol or .solb likewise), surfaces; through Gmsh, what only
+/// it reads: `io::gmsh_endings()` in io/gmsh/gmsh_import.hpp. "-" is standard input, which brings no file
+/// beside it.
 ///
 /// If the content is clearly that of another format than the ending's, the content decides, and the document
 /// has a warning. If there is no ending, or an unknown one, the content decides as well.

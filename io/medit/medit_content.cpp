@@ -59,15 +59,26 @@ void MeditContent::add_section(const MeditKeyword* keyword, std::string_view nam
     return;
   }
   if (lines && name.ends_with("Ordering") && take_order(name, lines->integers)) return;
-  if (lines && dimension == 2) {  // it will be written in three dimensions
-    const MeditLines three = in_space(*keyword, *lines);
-    if (three.reals.size() != lines->reals.size()) body = medit_body(*keyword, three, 3);
-  }
+  // One form for all, so that blanks and the dimension make no difference when it is written.
+  if (lines) body = medit_body(*keyword, dimension == 2 ? in_space(*keyword, *lines) : *lines, 3);
   document_.sections.push_back({.name = std::string(name), .body = std::move(body), .format = "medit"});
 }
 
 void MeditContent::warn(std::string_view text) {
   document_.warnings.push_back(document_.path + std::string(text));
+}
+
+void MeditContent::warn_of(const std::string& path, std::string_view text) {
+  document_.warnings.push_back(fmt::format("{}: {}", path, text));
+}
+
+void MeditContent::take_solutions(MeditContent other) {
+  for (MeditSolution& solution : other.solutions_) solutions_.push_back(std::move(solution));
+  for (std::string& warning : other.document_.warnings) document_.warnings.push_back(std::move(warning));
+  for (const Loss& loss : other.document_.dropped)
+    drop(loss.item, static_cast<std::size_t>(loss.count), loss.example, loss.elements);
+  for (Section& section : other.document_.sections)
+    drop(fmt::format("keywords of solutions that hold no values: {}", section.name), 1, other.document_.path);
 }
 
 void MeditContent::drop(const std::string& item, std::size_t count, const std::string& example,
@@ -77,9 +88,18 @@ void MeditContent::drop(const std::string& item, std::size_t count, const std::s
 
 Document MeditContent::finish() {
   TagSets sets(document_);
+  // All elements of a keyword count from 1, also if it stands there twice.
+  std::vector<const MeditKeyword*> kinds;
+  for (const Elements& list : elements_)
+    if (std::find(kinds.begin(), kinds.end(), list.keyword) == kinds.end()) kinds.push_back(list.keyword);
+  std::stable_sort(elements_.begin(), elements_.end(), [&](const Elements& a, const Elements& b) {
+    return std::find(kinds.begin(), kinds.end(), a.keyword) <
+           std::find(kinds.begin(), kinds.end(), b.keyword);
+  });
   for (const Elements& list : elements_) make_elements(list, sets);
   make_references();
   for (const auto& [mark, numbers] : marks_) make_mark(*mark, numbers);
+  for (const MeditSolution& solution : solutions_) make_solution(solution);
   return std::move(document_);
 }
 
@@ -138,6 +158,24 @@ void MeditContent::make_mark(const MeditMark& mark, const std::vector<std::int64
   for (const std::int64_t number : numbers)
     values.at.push_back(mark.element == 0 ? node(number) : element(number, mark.element));
   (mark.element == 0 ? document_.node_values : document_.element_values).push_back(std::move(values));
+}
+
+void MeditContent::make_solution(const MeditSolution& solution) {
+  const int type = solution.keyword->element;
+  std::vector<Index> at;
+  for (const Run& run : runs_)
+    for (std::size_t e = 0; run.type == type && e < run.count; ++e)
+      at.push_back(static_cast<Index>(run.first + e));
+  const std::size_t items = type == 0 ? document_.points.size() : at.size();
+  if (solution.count != items)
+    return drop(fmt::format("values of {}, since their number is another one", solution.keyword->name),
+                solution.count, fmt::format("{} in place of {}", solution.count, items));
+  if (items == 0) return;
+  auto& all = type == 0 ? document_.node_values : document_.element_values;
+  for (Values& values : medit_values(solution)) {
+    if (type != 0 && items != document_.elements()) values.at = at;
+    all.push_back(std::move(values));
+  }
 }
 
 bool MeditContent::take_order(std::string_view name, const std::vector<std::int64_t>& lattice) {

@@ -17,6 +17,9 @@ constexpr MeditKeyword keywords[] = {
     {7, "Quadrilaterals", 3, ""}, {27, "QuadrilateralsQ2", 10, ""}, {8, "Tetrahedra", 4, ""},
     {30, "TetrahedraP2", 11, ""}, {9, "Prisms", 6, ""}, {86, "PrismsP2", 13, ""}, {10, "Hexahedra", 5, ""},
     {33, "HexahedraQ2", 12, ""}, {49, "Pyramids", 7, ""}, {87, "PyramidsP2", 14, ""},
+    {12, "RequiredTetrahedra", 0, "i"}, {no_medit_code, "ParallelVertices", 0, "i"},
+    {no_medit_code, "ParallelEdges", 0, "i"}, {no_medit_code, "ParallelTriangles", 0, "i"},
+    {no_medit_code, "ParallelQuadrilaterals", 0, "i"}, {no_medit_code, "ParallelTetrahedra", 0, "i"},
     {13, "Corners", 0, "i"}, {14, "Ridges", 0, "i"}, {15, "RequiredVertices", 0, "i"},
     {16, "RequiredEdges", 0, "i"}, {17, "RequiredTriangles", 0, "i"}, {18, "RequiredQuadrilaterals", 0, "i"},
     {19, "TangentAtEdgeVertices", 0, "iii"}, {20, "NormalAtVertices", 0, "ii"},
@@ -40,8 +43,19 @@ constexpr MeditKeyword keywords[] = {
 constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
     {"Hexaedra", "Hexahedra"}, {"Pentahedra", "Prisms"}, {"PentahedraP2", "PrismsP2"}};
 
-constexpr MeditMark marks[] = {{"Corners", 0},       {"RequiredVertices", 0},  {"Ridges", 1},
-                               {"RequiredEdges", 1}, {"RequiredTriangles", 2}, {"RequiredQuadrilaterals", 3}};
+// The names with Tetrahedra and Parallel are MMG's.
+constexpr MeditMark marks[] = {{"Corners", 0},
+                               {"RequiredVertices", 0},
+                               {"Ridges", 1},
+                               {"RequiredEdges", 1},
+                               {"RequiredTriangles", 2},
+                               {"RequiredQuadrilaterals", 3},
+                               {"RequiredTetrahedra", 4},
+                               {"ParallelVertices", 0},
+                               {"ParallelEdges", 1},
+                               {"ParallelTriangles", 2},
+                               {"ParallelQuadrilaterals", 3},
+                               {"ParallelTetrahedra", 4}};
 
 }  // namespace
 

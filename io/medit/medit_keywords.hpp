@@ -12,13 +12,14 @@
 namespace tetproof::io {
 
 struct MeditKeyword {
-  int code;  ///< its number in binary files
+  int code;  ///< its number in binary files; `no_medit_code`: it has none
   std::string_view name;
   int element;              ///< Gmsh's type of the elements that it lists; 0: it does not list elements
   std::string_view format;  ///< of a line: i integer, r real, c coordinates
   bool counted = true;      ///< the lines follow their number
 };
 
+inline constexpr int no_medit_code = -1;
 inline constexpr int medit_dimension = 3, medit_vertices = 4, medit_end = 54;
 
 constexpr bool is_medit_letter(char c) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/medit/medit_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "io/error.hpp"
+#include "io/medit/medit.hpp"
+#include "io/medit/medit_solution.hpp"
+#include "io/mesh_files.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/values.hpp"
 
@@ -48,20 +54,29 @@ bool references_come_back(const Values& values, bool binary) {
   return !binary && are_real_medit_references(values);
 }
 
-bool mark_comes_back(const Document& document, bool numbers_stay, const Values& values, bool of_nodes) {
-  if (!is_medit_mark(values, of_nodes) || values.integers.size() != values.at.size() ||
+bool mark_comes_back(const Document& document, bool numbers_stay, const Values& values, bool of_nodes,
+                     bool binary) {
+  if (!is_medit_mark(values, of_nodes, binary) || values.integers.size() != values.at.size() ||
       std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t one) { return one != 1; }))
     return false;
   if (!numbers_stay && std::any_of(values.at.begin(), values.at.end(), [](Index at) { return at < 0; }))
     return false;
   if (of_nodes) return true;
-  // All marked elements must be of the type that the keyword is for.
+  // All marked elements must be of the type that the keyword is for; numbers that none of these has stay
+  // such.
+  const int type = medit_mark(values.name)->element;
+  const auto is_of_type = [type](const ElementBlock& block) {
+    const MeditKeyword* keyword = medit_place(block).keyword;
+    return keyword && keyword->element == type;
+  };
+  std::int64_t count = 0;
+  for (const ElementBlock& block : document.blocks)
+    if (is_of_type(block)) count += static_cast<std::int64_t>(block.count);
   return std::all_of(values.at.begin(), values.at.end(), [&](Index at) {
-    for (const ElementBlock& block : document.blocks)
-      if (at >= 0 && static_cast<std::size_t>(at) < block.first + block.count)
-        return medit_place(block).keyword &&
-               medit_place(block).keyword->element == medit_mark(values.name)->element;
-    return false;
+    if (at >= 0)
+      return static_cast<std::size_t>(at) < document.elements() && is_of_type(block_with(document, at));
+    const std::int64_t number = document.named(at);
+    return number < 1 || number > count;
   });
 }
 
@@ -78,6 +93,13 @@ const Values* references_of(const Document& document) {
 }
 
 }  // namespace
+
+const ElementBlock& block_with(const Document& document, Index element) {
+  const auto behind = std::upper_bound(
+      document.blocks.begin(), document.blocks.end(), static_cast<std::size_t>(element),
+      [](std::size_t position, const ElementBlock& block) { return position < block.first; });
+  return *(behind - 1);
+}
 
 MeditPlace medit_place(const ElementBlock& block) {
   const ElementType* type = element_type(block.type);
@@ -96,9 +118,10 @@ std::int64_t medit_reference(const Document& document, const ElementBlock& block
   return set.empty() ? 0 : set[0];
 }
 
-bool is_medit_mark(const Values& values, bool of_nodes) {
+bool is_medit_mark(const Values& values, bool of_nodes, bool binary) {
   const MeditMark* mark = medit_mark(values.name);
-  return mark && (mark->element == 0) == of_nodes && !values.at.empty() && values.components == 1;
+  return mark && !(binary && medit_keyword(values.name)->code == no_medit_code) &&
+         (mark->element == 0) == of_nodes && !values.at.empty() && values.components == 1;
 }
 
 bool writes_medit_section(const Section& section, bool binary) {
@@ -118,11 +141,17 @@ MeditPlan medit_plan(const Document& document) {
   MeditPlan plan;
   plan.numbers_stay = do_numbers_stay(document);
   plan.references = references_of(document);
+  for (const Values& values : document.node_values)
+    if (&values != plan.references)
+      if (const int field = medit_field_of(values, document.points.size()); field != 0)
+        plan.fields.emplace_back(&values, field);
   for (const ElementBlock& block : document.blocks) {
     const MeditPlace place = medit_place(block);
     if (!place.keyword) continue;
     const auto at = std::find(medit_elements().begin(), medit_elements().end(), place.keyword);
-    plan.lists[static_cast<std::size_t>(at - medit_elements().begin())].push_back(&block);
+    const auto k = static_cast<std::size_t>(at - medit_elements().begin());
+    if (plan.lists[k].empty()) plan.order.push_back(k);
+    plan.lists[k].push_back(&block);
   }
   return plan;
 }
@@ -140,19 +169,32 @@ Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary) 
       return document.tag_sets[static_cast<std::size_t>(block.groups)].size() < 2 && !is_none(block);
     };
   holds.nodes_each = [](const ElementBlock& block) { return medit_place(block).nodes; };
-  holds.kind = [](const ElementBlock& block) {
+  holds.kind = [order = plan.order](const ElementBlock& block) {
     const auto& all = medit_elements();
-    return static_cast<int>(std::find(all.begin(), all.end(), medit_place(block).keyword) - all.begin());
+    const auto at = std::find(all.begin(), all.end(), medit_place(block).keyword) - all.begin();
+    return static_cast<int>(std::find(order.begin(), order.end(), static_cast<std::size_t>(at)) -
+                            order.begin());
   };
-  holds.values = [&document, binary, stay = plan.numbers_stay, references = plan.references](
+  const auto field = [fields = plan.fields](const Values& values) {
+    return std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.first == &values; }) -
+           fields.begin();
+  };
+  const auto count = static_cast<std::ptrdiff_t>(plan.fields.size());
+  holds.numbers = [field, count](const Values& values, Of of) -> std::optional<HeldNumbers> {
+    if (of != Of::node || field(values) == count) return {};
+    return HeldNumbers{.name = medit_field_name(static_cast<std::size_t>(field(values)))};
+  };
+  holds.values = [&document, binary, field, count, stay = plan.numbers_stay, references = plan.references](
                      const Values& values, Of of) {
+    if (of == Of::node && field(values) < count)
+      return values.name == medit_field_name(static_cast<std::size_t>(field(values)));
     if (of == Of::element_node || !values.labels.empty() || !values.nodes.empty() || has_step(values))
       return false;
     const auto any = [](const Values&) { return true; };
     if (!is_first_of_name(of == Of::node ? document.node_values : document.element_values, values, any))
       return false;
     if (of == Of::node && references == &values) return references_come_back(values, binary);
-    return mark_comes_back(document, stay, values, of == Of::node);
+    return mark_comes_back(document, stay, values, of == Of::node, binary);
   };
   holds.section = [&document, binary](const Section& section) {
     if (!writes_medit_section(section, binary) || section.swapped || section.before_nodes) return false;
@@ -163,6 +205,60 @@ Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary) 
     return medit_body(keyword, *medit_lines(keyword, section.body, 3), 3) == section.body;
   };
   return holds;
+}
+
+namespace {
+
+class MeditFilePlan : public FilePlan {
+ public:
+  MeditFilePlan(const Document& document, bool binary)
+      : FilePlan(document), plan_(medit_plan(document)), binary_(binary) {
+    holds_ = medit_holds(document, plan_, binary);
+  }
+
+  std::vector<std::string> files(const std::string& path) override {
+    if (plan_.fields.empty()) return {path};
+    return {path, solution_of(path)};
+  }
+  std::string warning(const std::string& path) override {
+    if (plan_.fields.empty()) {
+      const std::vector<std::string> read = medit_files_read(path);
+      return read.size() < 2 || is_medit_solution(path)
+                 ? ""
+                 : fmt::format("{}: is there already and is not written, but will be read together with it",
+                               read[1]);
+    }
+    std::vector<std::string> names;
+    for (const auto& [values, field] : plan_.fields) names.push_back(fmt::format("\"{}\"", values->name));
+    return fmt::format(
+        "{}: is written too, with the values {}; MMG takes one field for the sizes it shall make",
+        solution_of(path), fmt::join(names, ", "));
+  }
+  void write(const std::string& path, const std::string&) override {
+    if (is_medit_solution(path))
+      throw InputError(fmt::format("{}: this ending is that of a solution; name the mesh", path));
+    AtomicFile file(path);
+    write_medit(file, document_, plan_, binary_);
+    if (plan_.fields.empty()) return file.commit();
+    AtomicFile solution(solution_of(path));
+    write_medit_solution(solution, plan_.fields, document_.points.size(), binary_);
+    file.commit();
+    solution.commit();
+  }
+
+ private:
+  std::string solution_of(const std::string& path) const {
+    return path.substr(0, path.size() - ending_of(path).size()) + (binary_ ? ".solb" : ".sol");
+  }
+
+  const MeditPlan plan_;
+  const bool binary_;
+};
+
+}  // namespace
+
+std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary) {
+  return std::make_unique<MeditFilePlan>(document, binary);
 }
 
 }  // namespace tetproof::io

@@ -9,6 +9,7 @@
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 #include "io/medit/medit_keywords.hpp"
+#include "io/medit/medit_solution_write.hpp"
 
 namespace tetproof::io {
 
@@ -20,6 +21,9 @@ struct MeditPlace {
 };
 MeditPlace medit_place(const ElementBlock& block);
 
+/// The block of an element, which must exist.
+const ElementBlock& block_with(const Document& document, Index element);
+
 /// Returns the reference of a block's elements: their first group; 0: they have none.
 std::int64_t medit_reference(const Document& document, const ElementBlock& block);
 
@@ -28,8 +32,9 @@ std::int64_t medit_reference(const Document& document, const ElementBlock& block
 bool are_real_medit_references(const Values& values);
 inline constexpr double largest_medit_real_reference = 9e15;
 
-/// Whether values only mark the nodes (or else elements) that they list, as a keyword does.
-bool is_medit_mark(const Values& values, bool of_nodes);
+/// Whether values only mark the nodes (or else elements) that they list, as a keyword does
+/// that the form of file has.
+bool is_medit_mark(const Values& values, bool of_nodes, bool binary);
 
 /// Whether a section is written. This needs that the reader reads it back as it is.
 bool writes_medit_section(const Section& section, bool binary);
@@ -38,10 +43,16 @@ struct MeditPlan {
   /// Whether the numbers in `Document::unknown` still name nothing when nodes and elements count up from 1.
   bool numbers_stay = false;
   const Values* references = nullptr;  ///< the values that nodes have as references; null: none
+  MeditFields fields{};                ///< the values of vertices that go into a .sol
   /// The blocks under each keyword of `medit_elements()`.
   std::array<std::vector<const ElementBlock*>, 16> lists{};
+  /// The positions in `lists` of the keywords that have blocks, in the order of the document: that of a file
+  /// comes back.
+  std::vector<std::size_t> order{};
 };
 MeditPlan medit_plan(const Document& document);
 Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary);
+
+void write_medit(AtomicFile& file, const Document& document, const MeditPlan& plan, bool binary);
 
 }  // namespace tetproof::io

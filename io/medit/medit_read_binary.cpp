@@ -16,20 +16,26 @@ namespace {
 
 class Reader {
  public:
-  Reader(const InputFile& file, std::endian order)
-      : in_(file.path(), file.bytes(), 4), size_(file.bytes().size()), order_(order), content_(file.path()) {}
+  Reader(const InputFile& file, std::endian order, MeditContent& content, MeditPart part)
+      : in_(file.path(), file.bytes(), 4),
+        size_(file.bytes().size()),
+        order_(order),
+        content_(content),
+        part_(part) {}
 
-  Document read() {
+  void read() {
     version_ = static_cast<int>(number<std::int32_t>("the version"));
     if (version_ < 1 || version_ > 4)
       in_.fail_at_byte(fmt::format("expected a version from 1 to 4, found {}", version_));
     bool ended = false;
     while (!ended && in_.remaining() > 0) ended = keyword();
     if (dimension_ == 0) in_.fail_at_byte("expected Dimension, found the end of the file");
-    if (!content_.has_vertices()) in_.fail_at_byte("expected Vertices, found the end of the file");
+    if (part_ == MeditPart::mesh && !content_.has_vertices())
+      in_.fail_at_byte("expected Vertices, found the end of the file");
+    if (part_ == MeditPart::solution && !content_.has_solutions())
+      in_.fail_at_byte("expected SolAtVertices, found the end of the file");
     if (!ended) content_.warn(": the file does not close with End");
     content_.drop("bytes behind End", in_.remaining(), fmt::format("byte {}", in_.offset()));
-    return content_.finish();
   }
 
  private:
@@ -48,17 +54,19 @@ class Reader {
       dimension_ = static_cast<int>(number<std::int32_t>("the dimension 2 or 3"));
       if (dimension_ != 2 && dimension_ != 3)
         in_.fail_at_byte(fmt::format("expected the dimension 2 or 3, found {}", dimension_));
-    } else if (code == medit_vertices) {
+    } else if (const MeditSolutionKeyword* values = medit_solution_keyword(code_of(code))) {
+      name = std::string(values->name);
+      solution(*values, end);
+    } else if (code == medit_vertices && part_ == MeditPart::mesh) {
       name = "Vertices";
       vertices(end);
     } else {
-      const MeditKeyword* known =
-          code > 0 && code < 1 << 16 ? medit_keyword(static_cast<int>(code)) : nullptr;
+      const MeditKeyword* known = code_of(code) > 0 ? medit_keyword(code_of(code)) : nullptr;
       name = known ? std::string(known->name) : fmt::format("of code {}", code);
       if (!known && next == 0) in_.fail_at_byte(fmt::format("expected a keyword, found {}", code));
-      if (known && known->element != 0) {
+      if (known && known->element != 0 && part_ == MeditPart::mesh) {
         elements(*known, end);
-      } else if (!known || !section(*known, end)) {
+      } else if (!known || known->element != 0 || !section(*known, end)) {
         // A keyword of unknown code may be a kind of elements: a judge must not call the mesh whole.
         content_.drop("keyword " + name, 1, fmt::format("byte {}: {}", start, counted(end - start, "bytes")),
                       !known);
@@ -98,6 +106,33 @@ class Reader {
     content_.add_elements(std::move(list));
   }
 
+  void solution(const MeditSolutionKeyword& keyword, std::size_t end) {
+    if (dimension_ == 0) in_.fail_at_byte("expected Dimension in front of the values");
+    MeditSolution solution{&keyword, dimension_};
+    const std::int64_t items = integer();
+    const std::int64_t fields = number<std::int32_t>("the number of fields");
+    const std::size_t left = end > in_.offset() ? end - in_.offset() : 0;
+    if (fields < 0 || static_cast<std::size_t>(fields) > left / 4)
+      in_.fail_at_byte(fmt::format("expected the number of fields, found {}", fields));
+    std::size_t row = 0;
+    for (std::int64_t f = 0; f < fields; ++f) {
+      const std::int64_t field = number<std::int32_t>("the type of a field");
+      const int numbers = medit_numbers(field, dimension_);
+      if (numbers == 0)
+        in_.fail_at_byte(fmt::format("expected the type of a field, 1 to 4, found {}", field));
+      solution.fields.push_back(static_cast<int>(field));
+      row += static_cast<std::size_t>(numbers);
+    }
+    const std::size_t room = end > in_.offset() ? end - in_.offset() : 0;
+    if (items < 0 || (row > 0 && static_cast<std::uint64_t>(items) > room / (row * real_size())))
+      in_.fail_at_byte(fmt::format("expected {} of {}, found {} for them", counted(items, "values"),
+                                   counted(row, "numbers"), counted(room, "bytes")));
+    solution.count = static_cast<std::size_t>(items);
+    solution.numbers.reserve(solution.count * row);
+    for (std::size_t i = 0; i < solution.count * row; ++i) solution.numbers.push_back(real());
+    content_.add_solution(std::move(solution));
+  }
+
   // False where the number of bytes does not fit the keyword's form. Then nothing was read.
   bool section(const MeditKeyword& keyword, std::size_t end) {
     if (dimension_ == 0 && keyword.format.find('c') != std::string_view::npos) return false;
@@ -125,6 +160,7 @@ class Reader {
     return true;
   }
 
+  static int code_of(std::int64_t code) { return code > 0 && code < 1 << 16 ? static_cast<int>(code) : 0; }
   std::size_t real_size() const { return version_ == 1 ? 4 : 8; }
   std::size_t integer_size() const { return version_ == 4 ? 8 : 4; }
   double real() { return version_ == 1 ? number<float>("a number") : number<double>("a number"); }
@@ -150,14 +186,15 @@ class Reader {
   Scanner in_;
   std::size_t size_;
   std::endian order_;
-  MeditContent content_;
+  MeditContent& content_;
+  const MeditPart part_;
   int version_ = 0, dimension_ = 0;
 };
 
 }  // namespace
 
-Document read_medit_binary(const InputFile& file, std::endian order) {
-  return Reader(file, order).read();
+void read_medit_binary(const InputFile& file, std::endian order, MeditContent& content, MeditPart part) {
+  Reader(file, order, content, part).read();
 }
 
 }  // namespace tetproof::io

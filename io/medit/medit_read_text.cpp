@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/text_encoding.hpp"
+#include "io/bytes/words.hpp"
 #include "io/medit/medit_content.hpp"
 #include "io/medit/medit_plan.hpp"
 #include "io/model/element_types.hpp"
@@ -17,9 +19,17 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(const InputFile& file) : in_(file), bytes_(file.bytes()), content_(file.path()) {}
+  Reader(const InputFile& file, MeditContent& content, MeditPart part)
+      : in_(file.path(), file.bytes().substr(0, end_of_text(file.bytes())), start_of_utf8(file.bytes())),
+        bytes_(file.bytes().substr(0, end_of_text(file.bytes()))),
+        content_(content),
+        part_(part) {
+    refuse_wide_text(file);
+    if (const std::string warning = warning_of_end(file); !warning.empty())
+      content_.warn(warning.substr(file.path().size()));
+  }
 
-  Document read() {
+  void read() {
     bool ended = false;
     while (!in_.at_end('#')) {
       const std::string_view name = in_.word('#');
@@ -32,10 +42,10 @@ class Reader {
     }
     if (!has_version_) in_.fail("MeshVersionFormatted", {});
     if (dimension_ == 0) in_.fail("Dimension", {});
-    if (!content_.has_vertices()) in_.fail("Vertices", {});
+    if (part_ == MeditPart::mesh && !content_.has_vertices()) in_.fail("Vertices", {});
+    if (part_ == MeditPart::solution && !content_.has_solutions()) in_.fail("SolAtVertices", {});
     if (!ended) content_.warn(": the file does not close with End");
     drop_rest();
-    return content_.finish();
   }
 
  private:
@@ -55,6 +65,8 @@ class Reader {
       dimension_ = static_cast<int>(dimension);
       return;
     }
+    if (const MeditSolutionKeyword* values = medit_solution_keyword(name)) return solution(*values);
+    if (part_ == MeditPart::solution) return section(medit_keyword(name), name);
     if (name == "Vertices") return vertices();
     const MeditKeyword* known = medit_keyword(name);
     if (known && known->element != 0) return elements(*known);
@@ -111,6 +123,31 @@ class Reader {
     content_.add_elements(std::move(list));
   }
 
+  // The number of vertices or elements, the types of the fields, and their numbers.
+  void solution(const MeditSolutionKeyword& keyword) {
+    if (dimension_ == 0) in_.fail("Dimension in front of the values", keyword.name);
+    MeditSolution solution{&keyword, dimension_};
+    solution.count = static_cast<std::size_t>(in_.count("the number of values", 2, '#'));
+    const std::int64_t fields = in_.count("the number of fields", 2, '#');
+    std::size_t row = 0;
+    for (std::int64_t f = 0; f < fields; ++f) {
+      const std::int64_t field = in_.integer("the type of a field, 1 to 4", '#');
+      const int numbers = medit_numbers(field, dimension_);
+      if (numbers == 0)
+        in_.fail_in_line(fmt::format("expected the type of a field, 1 to 4, found {}", field));
+      solution.fields.push_back(static_cast<int>(field));
+      row += static_cast<std::size_t>(numbers);
+    }
+    if (row > 0 && solution.count > in_.remaining() / row + 1)
+      in_.fail_in_line(fmt::format("expected {} of {}, found {} left for them",
+                                   counted(solution.count, "values"), counted(row, "numbers"),
+                                   counted(in_.remaining(), "bytes")));
+    solution.numbers.reserve(solution.count * row);
+    for (std::size_t i = 0; i < solution.count * row; ++i)
+      solution.numbers.push_back(in_.real("a number of a field", '#'));
+    content_.add_solution(std::move(solution));
+  }
+
   // Keeps what follows the keyword as it stands, up to a line that begins with a letter.
   void section(const MeditKeyword* known, std::string_view name) {
     if (!known)
@@ -135,15 +172,16 @@ class Reader {
 
   Scanner in_;
   std::string_view bytes_;
-  MeditContent content_;
+  MeditContent& content_;
+  const MeditPart part_;
   int dimension_ = 0;
   bool has_version_ = false;
 };
 
 }  // namespace
 
-Document read_medit_text(const InputFile& file) {
-  return Reader(file).read();
+void read_medit_text(const InputFile& file, MeditContent& content, MeditPart part) {
+  Reader(file, content, part).read();
 }
 
 }  // namespace tetproof::io

@@ -29,8 +29,7 @@ class Writer {
     else
       file_.write("MeshVersionFormatted 2\n\nDimension 3\n");
     vertices();
-    for (std::size_t k = 0; k < medit_elements().size(); ++k)
-      if (!plan_.lists[k].empty()) elements(*medit_elements()[k], plan_.lists[k]);
+    for (const std::size_t k : plan_.order) elements(*medit_elements()[k], plan_.lists[k]);
     marks(document_.node_values, true);
     marks(document_.element_values, false);
     std::set<std::string> written;
@@ -168,7 +167,7 @@ class Writer {
   void marks(const std::vector<Values>& all, bool of_nodes) {
     std::set<std::string> written;
     for (const Values& values : all) {
-      if (!is_medit_mark(values, of_nodes) || !written.insert(values.name).second) continue;
+      if (!is_medit_mark(values, of_nodes, binary_) || !written.insert(values.name).second) continue;
       std::vector<std::int64_t> numbers;
       for (const Index at : values.at)
         if (at < 0 && plan_.numbers_stay)
@@ -197,12 +196,9 @@ class Writer {
             if (is_written(nodes_of(*block, e), medit_place(*block).nodes)) ranks_[block->first + e] = ++next;
       }
     }
-    for (const ElementBlock& block : document_.blocks)
-      if (element >= block.first && element < block.first + block.count) {
-        const MeditPlace place = medit_place(block);
-        return place.keyword && place.keyword->element == type ? ranks_[element] : 0;
-      }
-    return 0;
+    if (element >= document_.elements()) return 0;
+    const MeditPlace place = medit_place(block_with(document_, static_cast<Index>(element)));
+    return place.keyword && place.keyword->element == type ? ranks_[element] : 0;
   }
 
   void section(const Section& section) {
@@ -249,24 +245,10 @@ class Writer {
   std::vector<std::int64_t> ranks_;
 };
 
-class MeditFilePlan : public OneFilePlan {
- public:
-  MeditFilePlan(const Document& document, bool binary)
-      : OneFilePlan(document), plan_(medit_plan(document)), binary_(binary) {
-    holds_ = medit_holds(document, plan_, binary);
-  }
-
- private:
-  void write_into(AtomicFile& file) override { Writer(file, document_, plan_, binary_).write(); }
-
-  const MeditPlan plan_;
-  const bool binary_;
-};
-
 }  // namespace
 
-std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary) {
-  return std::make_unique<MeditFilePlan>(document, binary);
+void write_medit(AtomicFile& file, const Document& document, const MeditPlan& plan, bool binary) {
+  Writer(file, document, plan, binary).write();
 }
 
 }  // namespace tetproof::io

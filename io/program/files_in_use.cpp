@@ -10,6 +10,7 @@
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/error.hpp"
+#include "io/medit/medit_solution.hpp"
 #include "io/tetgen/tetgen_files.hpp"
 
 namespace tetproof::program {
@@ -24,8 +25,8 @@ std::string format_to_read(const std::string& path, const ReadOptions& options) 
   if (!options.format.empty()) return options.format;
   const std::string ending = ending_of(path);
   for (const Format& format : formats())
-    if (std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end())
-      return format.name;
+    for (const auto* endings : {&format.endings, &format.endings_beside})
+      if (std::find(endings->begin(), endings->end(), ending) != endings->end()) return format.name;
   return {};
 }
 
@@ -60,8 +61,13 @@ void FilesInUse::reads(const std::string& argument, const std::string& path) {
 
 void FilesInUse::reads_mesh(const std::string& argument, const std::string& path,
                             const ReadOptions& options) {
-  if (path == "-" || !is_tetgen(format_to_read(path, options))) return reads(argument, path);
-  for (const std::string& file : io::tetgen_files_read(path)) reads(argument, file);
+  const std::string format = path == "-" ? "" : format_to_read(path, options);
+  if (is_tetgen(format))
+    for (const std::string& file : io::tetgen_files_read(path)) reads(argument, file);
+  else if (format == "medit")
+    for (const std::string& file : io::medit_files_read(path)) reads(argument, file);
+  else
+    reads(argument, path);
 }
 
 void FilesInUse::writes(const std::string& argument, const std::string& path) {

@@ -60,8 +60,11 @@ std::string grid_endings_read() {
 }
 
 std::string endings_read() {
-  return fmt::format("{}; through Gmsh: {}", fmt::join(known_endings(), " "),
-                     fmt::join(io::gmsh_endings(), " "));
+  std::vector<std::string> beside;
+  for (const Format& format : formats())
+    beside.insert(beside.end(), format.endings_beside.begin(), format.endings_beside.end());
+  return fmt::format("{}; beside their mesh {}; through Gmsh: {}", fmt::join(known_endings(), " "),
+                     fmt::join(beside, " "), fmt::join(io::gmsh_endings(), " "));
 }
 
 std::string format_names() {

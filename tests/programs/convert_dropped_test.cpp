@@ -84,7 +84,8 @@ const std::vector<Sample> samples{
      "b.msh",
      "cells of type 71 (Lagrange tetrahedron)"},
     {"Req", {{"a.mesh", medit_head + tetrahedron + "End\n"}}, "b.meshb", ""},
-    {"ReqBinary", {{"a.meshb", meshb(12)}}, "b.mesh", "keyword of code 12"},
+    {"ReqBinary", {{"a.meshb", meshb(12)}}, "b.mesh", ""},
+    {"UnknownBinary", {{"a.meshb", meshb(11)}}, "b.mesh", "keyword of code 11"},
     {"RequiredVerticesInBinary", {{"a.meshb", meshb(15)}}, "b.mesh", ""},
     {"Marks",
      {{"a.mesh", medit_head + "Edges\n2\n1 2 0\n2 3 0\n\n" + tetrahedron +

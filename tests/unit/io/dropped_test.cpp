@@ -54,8 +54,8 @@ const std::vector<Case> of_medit{
        "MeshVersionFormatted 2\nDimension 3\nVertices 2\n0 0 0 0.5\n1 0 0 9007199254740993\nEnd\n"}},
      {"references of vertices, rounded to doubles: 1 (9007199254740993 of vertex 2)"}},
     {"BinaryKeywordOfUnknownCode",
-     {{"a.meshb", meshb(12, {1, 1})}},
-     {"keyword of code 12: 1 (byte 68: 8 bytes)"}},
+     {{"a.meshb", meshb(11, {1, 1})}},
+     {"keyword of code 11: 1 (byte 68: 8 bytes)"}},
     {"BinaryKeywordOfAnotherForm",
      {{"a.meshb", meshb(60, {0, 9})}},
      {"keyword Normals: 1 (byte 68: 8 bytes)"}},
@@ -63,7 +63,8 @@ const std::vector<Case> of_medit{
      {{"a.meshb", meshb(5, {1, 1, 1, 0, 9, 9})}},
      {"bytes behind the numbers of Edges: 8 (byte 84)"}},
     {"BytesBehindTheEnd", {{"a.meshb", meshb(5, {0}, "xyz")}}, {"bytes behind End: 3 (byte 80)"}},
-    {"NothingOfAMark", {{"a.meshb", meshb(15, {1, 1})}}, {}}};
+    {"NothingOfAMark", {{"a.meshb", meshb(15, {1, 1})}}, {}},
+    {"NothingOfMmgsMark", {{"a.meshb", meshb(12, {1, 1})}}, {}}};
 
 INSTANTIATE_TEST_SUITE_P(Medit, Dropped, testing::ValuesIn(of_medit), name_of);
 
@@ -206,7 +207,7 @@ TEST(DroppedByMedit, NothingOfPentahedra) {
 
 TEST(DroppedOfMedit, AKeywordOfUnknownCodeMayBeElements) {
   const test::TestFiles files;
-  files.write("unknown.meshb", meshb(12, {1, 2}));
+  files.write("unknown.meshb", meshb(11, {1, 2}));
   files.write("normals.meshb", meshb(60, {0, 9}));
   const std::vector<Loss> unknown = read_document(files.path("unknown.meshb")).dropped;
   const std::vector<Loss> normals = read_document(files.path("normals.meshb")).dropped;
