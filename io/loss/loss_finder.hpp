@@ -26,8 +26,8 @@ class LossFinder {
   using Cut = WrittenPart::Cut;
   using Written = WrittenPart::Block;
 
-  void add(const std::string& item, std::size_t count, const std::string& example) {
-    add_loss(losses_, item, count, example);
+  void add(const std::string& item, std::size_t count, const std::string& example, bool elements = false) {
+    add_loss(losses_, item, count, example, elements);
   }
 
   std::string element(const ElementBlock& block, std::size_t e = 0) const {

@@ -62,7 +62,8 @@ class MeshLosses : LossFinder {
         add(what + " cut into triangles", 1, element(block, one.element));
       }
     const auto first = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), false) - cut.begin());
-    add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first));
+    add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first),
+        true);
   }
 
   void unknown_nodes(const ElementBlock& block) {
@@ -71,7 +72,7 @@ class MeshLosses : LossFinder {
       const Index* node = written_.nodes_of(block, e);
       const Index bad = *std::find_if(node, node + block.nodes_each, [](Index i) { return i < 0; });
       add("elements that name nodes which do not exist", 1,
-          fmt::format("{} names node {}", element(block, e), document_.named(bad)));
+          fmt::format("{} names node {}", element(block, e), document_.named(bad)), true);
     }
   }
 

@@ -22,7 +22,7 @@ struct Choices {
   std::string in, out, losses_file;
   ReadOptions read;
   WriteOptions write;
-  bool ascii = false, binary = false, strict = false, info = false;
+  bool ascii = false, binary = false, strict = false, strict_native = false, info = false;
 };
 
 // Reads the file, or makes the surface of a specification.
@@ -34,6 +34,32 @@ Document input(const Choices& choices) {
   document.format = "generated";
   return document;
 }
+
+// What --strict, or --strict-native, does not permit: what is not read or lost; elements that only our reader
+// takes back; and under --strict-native everything else that only our reader takes back.
+struct Refusal {
+  std::vector<Loss> not_read, lost, kept;
+
+  Refusal(const Choices& choices, const std::vector<Loss>& dropped, const std::vector<Loss>& losses,
+          const KeptAside& aside) {
+    if (!choices.strict && !choices.strict_native) return;
+    not_read = dropped, lost = losses;
+    for (const Loss& loss : aside.items)
+      if (choices.strict_native || loss.elements) kept.push_back(loss);
+  }
+  std::size_t items() const { return not_read.size() + lost.size() + kept.size(); }
+
+  // "would be lost", "are not read or only in comments", ...
+  std::string why(const std::string& kept_in) const {
+    const bool one = items() == 1;
+    std::vector<std::string> reasons;
+    if (!not_read.empty()) reasons.push_back(one ? "is not read" : "are not read");
+    if (!lost.empty()) reasons.push_back("would be lost");
+    if (!kept.empty())
+      reasons.push_back(fmt::format("would stand in {} only, which other programs do not read", kept_in));
+    return fmt::format("{}", fmt::join(reasons, " or "));
+  }
+};
 
 int convert(const Choices& choices, const program::Common& common) {
   if (choices.out.empty() && !choices.info) throw InputError("OUT is missing (or ask for --info)");
@@ -57,7 +83,8 @@ int convert(const Choices& choices, const program::Common& common) {
   program::MeshOutput output(common, files, "OUT", choices.out, document, write);
   const std::vector<Loss>& lost = output.losses();
   const KeptAside& kept = output.kept_aside();
-  const bool refused = choices.strict && !(lost.empty() && document.dropped.empty());
+  const Refusal refusal(choices, document.dropped, lost, kept);
+  const bool refused = refusal.items() > 0;
   if (!refused) output.write();
   result["output"] = {{"file", choices.out},
                       {"format", output.encoding().format},
@@ -72,13 +99,10 @@ int convert(const Choices& choices, const program::Common& common) {
                                                   {"kept_aside", result["kept_aside"]}});
   if (!common.json.empty()) program::write_json(common.json, result);
   if (!refused) return program::sound;
-  const std::size_t items = lost.size() + document.dropped.size();
-  program::say(common, fmt::format("{}: not written, since {} of {} {} (--strict)", choices.out,
-                                   items == 1 ? "something" : "several things", choices.in,
-                                   document.dropped.empty() ? "would be lost"
-                                   : !lost.empty()          ? "are not read or would be lost"
-                                   : items == 1             ? "is not read"
-                                                            : "are not read"));
+  program::say(common,
+               fmt::format("{}: not written, since {} of {} {} ({})", choices.out,
+                           refusal.items() == 1 ? "something" : "several things", choices.in,
+                           refusal.why(kept.where), choices.strict_native ? "--strict-native" : "--strict"));
   return program::wrong;
 }
 
@@ -125,7 +149,10 @@ int main(int argc, char** argv) {
                        "write what is not read or lost as JSON; - is standard output")
             ->type_name("FILE");
         app.add_flag("--strict", choices->strict,
-                     "lose nothing, in reading and in writing, or exit 1 and write nothing");
+                     "lose nothing, in reading and in writing, or exit 1 and write nothing. What only "
+                     "tetproof reads back from a comment or a section is no loss, unless it is elements");
+        app.add_flag("--strict-native", choices->strict_native,
+                     "likewise, and any program that reads the format gets all of it");
         app.add_flag("--info", choices->info, "print what the file holds; no OUT");
         return [choices, &common] { return convert(*choices, common); };
       });
