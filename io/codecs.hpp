@@ -20,6 +20,7 @@ struct Codec {
   ReadDocument (*read)(const InputFile&, Wanted);
   /// `binary`: the encoding, which must be one that the format has. The plan refers to the document.
   std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
+  bool polylines = false;  ///< whether the format has them; to others they are cut into lines
 };
 
 /// All formats, in the order of `formats()`.

@@ -16,7 +16,7 @@ namespace tetproof {
 /// A run of elements of one type in one entity. The blocks of a document follow each other in the file's
 /// order.
 struct ElementBlock {
-  int type = 4;                 ///< Gmsh's number of the element type, see io/model/element_types.hpp
+  int type = 4;                 ///< the number of the element type, see io/model/element_types.hpp
   int dim = 3;                  ///< dimension of the entity
   std::int64_t entity = 0;      ///< tag of the entity; 0: none
   std::int32_t groups = 0;      ///< physical groups: position in `Document::tag_sets`
@@ -27,6 +27,10 @@ struct ElementBlock {
   std::size_t nodes = 0;  ///< where its connectivity starts in `Document::connectivity`
   bool of_boundary =
       false;  ///< a polygon of a .poly or .smesh: of the boundary to mesh, not a face of a mesh
+
+  /// Of polyhedra: for each face the number of its corners, and then these as places among the nodes of the
+  /// element. All polyhedra of a block have the same faces. Empty: the file does not tell.
+  std::vector<std::int32_t> faces{};
 };
 
 /// A run of nodes of one entity. Nodes that no block covers belong to no entity.
@@ -83,6 +87,8 @@ struct Values {
   double time = 0;
   std::int64_t step = 0, partition = 0;
   std::string interpolation;  ///< the name of its interpolation scheme
+
+  std::vector<std::string> roles{};  ///< in VTK's attributes: "Scalars", "Vectors", "GlobalIds", ...
 
   std::size_t size() const { return reals.empty() ? integers.size() : reals.size(); }
   /// The number of nodes or elements that have values.

@@ -5,6 +5,7 @@
 
 #include "io/codecs.hpp"
 #include "io/loss/file_plan.hpp"
+#include "io/model/polylines.hpp"
 #include "io/supplement/supplement.hpp"
 
 namespace tetproof {
@@ -16,7 +17,11 @@ PlannedFile::~PlannedFile() = default;
 PlannedFile::PlannedFile(PlannedFile&&) noexcept = default;
 
 io::FilePlan& PlannedFile::plan() {
-  if (!plan_) plan_ = io::codec_named(encoding_.format).plan(document_, encoding_.binary);
+  if (plan_) return *plan_;
+  const io::Codec& codec = io::codec_named(encoding_.format);
+  if (!codec.polylines && io::has_polylines(document_))
+    cut_ = std::make_unique<Document>(io::with_polylines_cut(document_, lost_by_cutting_));
+  plan_ = codec.plan(written(), encoding_.binary);
   return *plan_;
 }
 
@@ -24,10 +29,10 @@ io::FilePlan& PlannedFile::plan() {
 void PlannedFile::find_losses() {
   if (losses_) return;
   const io::Holds& holds = plan().holds();
-  std::vector<Loss> unheld = io::unheld(document_, holds);
-  losses_.emplace();
+  std::vector<Loss> unheld = io::unheld(written(), holds);
+  losses_ = lost_by_cutting_;
   if (holds.kept_in.empty())
-    *losses_ = std::move(unheld);
+    losses_->insert(losses_->end(), unheld.begin(), unheld.end());
   else
     kept_aside_ = {holds.kept_in, std::move(unheld)};
 }
@@ -54,7 +59,7 @@ std::vector<std::string> PlannedFile::files() {
 void PlannedFile::write() {
   std::string supplement;
   if (const io::Holds& holds = plan().holds(); !holds.kept_in.empty() && !kept_aside().items.empty())
-    supplement = io::supplement_of(document_, holds);
+    supplement = io::supplement_of(written(), holds);
   plan().write(path_, supplement);
 }
 

@@ -49,11 +49,15 @@ class PlannedFile {
 
  private:
   io::FilePlan& plan();
+  /// The document that the format gets: `document_`, or one in which its polylines are cut into lines.
+  const Document& written() const { return cut_ ? *cut_ : document_; }
   void find_losses();
 
   std::string path_;
   const Document& document_;
   Encoding encoding_;
+  std::unique_ptr<Document> cut_;  // set with `plan_`
+  std::vector<Loss> lost_by_cutting_;
   std::unique_ptr<io::FilePlan> plan_;
   std::optional<std::vector<Loss>> losses_;
   KeptAside kept_aside_;  // set with `losses_`

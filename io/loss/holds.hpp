@@ -70,6 +70,8 @@ struct Holds {
   std::function<bool(const Values&, Of)> values = [](const Values&, Of) { return false; };
   /// For values that are not held: what is stored of them nevertheless. Not set: nothing, for all values.
   std::function<std::optional<HeldNumbers>(const Values&, Of)> numbers;
+  /// Whether the roles of values come back that are held, or of which the numbers are.
+  std::function<bool(const Values&, Of)> roles = [](const Values& of, Of) { return of.roles.empty(); };
   /// Whether the physical groups of a block's elements come back, where this depends on the block. Not set:
   /// as `groups` says.
   std::function<bool(const ElementBlock&)> groups_of;

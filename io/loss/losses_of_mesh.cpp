@@ -13,6 +13,8 @@ namespace {
 
 // "tetrahedra of 10 nodes (type 11)".
 std::string name_of(const ElementBlock& block) {
+  if (!is_of_gmsh(block.type))
+    return fmt::format("{} of {}", name_of_elements(block.type), counted(block.nodes_each, "nodes"));
   return fmt::format("{} of {} (type {})", name_of_elements(block.type), counted(block.nodes_each, "nodes"),
                      block.type);
 }

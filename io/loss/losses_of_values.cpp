@@ -26,15 +26,24 @@ class ValueLosses : LossFinder {
  private:
   void values(const std::vector<Values>& all, Of of, const char* whose) {
     for (const Values& values : all) {
-      if (holds_.values(values, of)) continue;
-      if (const auto held = holds_.numbers ? holds_.numbers(values, of) : std::nullopt)
+      if (holds_.values(values, of)) {
+        roles(values, of);
+        continue;
+      }
+      if (const auto held = holds_.numbers ? holds_.numbers(values, of) : std::nullopt) {
         all_but_numbers(values, *held, of, whose);
-      else
+        roles(values, of);
+      } else
         add(fmt::format("values \"{}\" of {}", values.name, whose), std::max<std::size_t>(values.size(), 1),
             !values.reals.empty()      ? fmt::format("{}", values.reals[0])
             : !values.integers.empty() ? fmt::format("{}", values.integers[0])
                                        : "");
     }
+  }
+
+  void roles(const Values& values, Of of) {
+    if (!holds_.roles(values, of))
+      add("roles of values", values.roles.size(), fmt::format("\"{}\" as {}", values.name, values.roles[0]));
   }
 
   void all_but_numbers(const Values& values, const HeldNumbers& held, Of of, const char* whose) {

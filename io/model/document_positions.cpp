@@ -22,6 +22,17 @@ bool fits(const Document& d, const Values& v, std::size_t items, bool of_nodes) 
   return v.size() == (of_nodes ? each : here) * static_cast<std::size_t>(v.components);
 }
 
+// Whether the faces of polyhedra are whole, and name only nodes that the elements have.
+bool are_faces(const ElementBlock& block) {
+  for (std::size_t at = 0; at < block.faces.size();) {
+    const std::int32_t corners = block.faces[at++];
+    if (corners < 0 || static_cast<std::size_t>(corners) > block.faces.size() - at) return false;
+    for (const std::size_t end = at + static_cast<std::size_t>(corners); at < end; ++at)
+      if (block.faces[at] < 0 || block.faces[at] >= block.nodes_each) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 const char* misplaced(const Document& d) {
@@ -39,7 +50,7 @@ const char* misplaced(const Document& d) {
   const auto is_dim = [](int dim) { return dim >= 0 && dim <= 3; };
   expect(!d.tag_sets.empty() && d.tag_sets[0].empty(), "sets of tags");
   for (const ElementBlock& b : d.blocks)
-    expect(is_set(b.groups) && is_set(b.partitions) && is_dim(b.dim), "blocks of elements");
+    expect(is_set(b.groups) && is_set(b.partitions) && is_dim(b.dim) && are_faces(b), "blocks of elements");
   for (const Index i : d.connectivity) expect(is_position(i, d.points.size()), "nodes of elements");
   expect(d.node_tags.empty() || d.node_tags.size() == d.points.size(), "numbers of nodes");
   expect(d.element_tags.empty() || d.element_tags.size() == d.elements(), "numbers of elements");

@@ -2,8 +2,10 @@
 #include "io/model/element_types.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <vector>
 
 namespace tetproof::io {
 namespace {
@@ -65,12 +67,62 @@ static_assert(std::size(types) == 134);
 static_assert(std::is_sorted(std::begin(types), std::end(types),
                              [](const ElementType& a, const ElementType& b) { return a.type < b.type; }));
 
-}  // namespace
+// The complete types by order, from 1.
+struct Family {
+  Shape shape;
+  std::array<int, 10> types;
+};
+constexpr Family families[] = {{Shape::line, {1, 8, 26, 27, 28, 62, 63, 64, 65, 66}},
+                               {Shape::triangle, {2, 9, 21, 23, 25, 42, 43, 44, 45, 46}},
+                               {Shape::quadrangle, {3, 10, 36, 37, 38, 47, 48, 49, 50, 51}},
+                               {Shape::tetrahedron, {4, 11, 29, 30, 31, 71, 72, 73, 74, 75}}};
 
-const ElementType* element_type(std::int64_t type) {
+const ElementType* gmsh_type(std::int64_t type) {
   const auto* found = std::lower_bound(std::begin(types), std::end(types), type,
                                        [](const ElementType& a, std::int64_t b) { return a.type < b; });
   return found != std::end(types) && found->type == type ? found : nullptr;
+}
+
+// The Bezier elements, with their own numbers.
+const std::vector<ElementType>& bezier_types() {
+  static const std::vector<ElementType> all = [] {
+    std::vector<ElementType> list;
+    for (const Family& family : families)
+      for (std::size_t k = 1; family.shape != Shape::quadrangle && k < family.types.size(); ++k) {
+        list.push_back(*gmsh_type(family.types[k]));
+        list.back().type = bezier(list.back().type);
+      }
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace
+
+const ElementType* element_type(std::int64_t type) {
+  if (type <= polyline) return gmsh_type(type);
+  for (const ElementType& known : bezier_types())
+    if (known.type == type) return &known;
+  return nullptr;
+}
+
+int dimension_of_type(int type) {
+  const ElementType* known = element_type(type);
+  return known ? known->dim : type == polyhedron ? 3 : type == polyline ? 1 : 2;
+}
+
+int complete_type(Shape shape, int order) {
+  for (const Family& family : families)
+    if (family.shape == shape && order >= 1 && order <= static_cast<int>(family.types.size()))
+      return family.types[static_cast<std::size_t>(order) - 1];
+  return 0;
+}
+
+int order_of_complete(int type) {
+  for (const Family& family : families)
+    for (std::size_t k = 0; k < family.types.size(); ++k)
+      if (family.types[k] == type) return static_cast<int>(k) + 1;
+  return 0;
 }
 
 const char* name_of_elements(int type) {
@@ -79,7 +131,12 @@ const char* name_of_elements(int type) {
   static_assert(std::size(names) == static_cast<std::size_t>(Shape::other) + 1);
   if (type == polygon) return "polygons";
   if (type == polyhedron) return "polyhedra";
+  if (type == polyline) return "polylines";
   const ElementType* known = element_type(type);
+  if (known && is_bezier(type))
+    return known->shape == Shape::line       ? "Bezier curves"
+           : known->shape == Shape::triangle ? "Bezier triangles"
+                                             : "Bezier tetrahedra";
   return names[static_cast<std::size_t>(known ? known->shape : Shape::other)];
 }
 

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/model/element_types.hpp"
+#include "io/model/simplex_lattice.hpp"
+
 namespace tetproof::io {
 namespace {
 
@@ -76,6 +79,11 @@ Orders all_orders() {
   add(vtk, NodeOrder::vtk);
   add(medit, NodeOrder::medit);
   add(tetgen, NodeOrder::tetgen);
+  for (int order = 2; const int type = complete_type(Shape::tetrahedron, order); ++order) {
+    const std::vector<int> of_vtk = vtk_tetrahedron(order);
+    if (order > 2) orders[{type, NodeOrder::vtk}] = of_vtk;
+    orders[{bezier(type), NodeOrder::vtk}] = of_vtk;
+  }
   return orders;
 }
 

@@ -10,7 +10,7 @@ namespace tetproof::io {
 
 enum class NodeOrder { vtk, medit, tetgen };
 
-/// For elements of Gmsh's type `type`: node k of the format is Gmsh's node `node_order(type, format)[k]`.
+/// For elements of the type `type`: node k of the format is Gmsh's node `node_order(type, format)[k]`.
 /// Empty: the order is the same as Gmsh's.
 ///
 /// In VTK's vtkWedge the triangle 0 1 2 faces outwards, in Gmsh's prism inwards, so two corners of each

@@ -77,6 +77,8 @@ bool keeps_section(const Section& section, const std::string& format, bool binar
 // text can, and, polygons and polyhedra apart, only in the version that the elements came in.
 bool has_place_for(const Document& document, const ElementBlock& block, const std::string& format,
                    bool binary) {
+  // Gmsh's own polyhedra are lists of tetrahedra, not of faces.
+  if (!is_of_gmsh(block.type) || !block.faces.empty()) return false;
   if (const ElementType* type = element_type(block.type)) return type->nodes == block.nodes_each;
   return !binary && (has_counted_nodes(block.type) || document.format == format) && block.nodes_each > 0;
 }

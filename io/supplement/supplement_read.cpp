@@ -34,6 +34,11 @@ class Joiner {
       in_(d.tag_sets);
     } else if (name == "blocks") {
       blocks();
+    } else if (name == "faces") {
+      std::size_t block = 0;
+      in_(block);
+      if (block >= d.blocks.size()) in_.fail(fmt::format("there is no block {}", block));
+      in_(d.blocks[block].faces);
     } else if (name == "node_tags") {
       in_(d.first_node, d.node_tags);
     } else if (name == "element_tags") {
@@ -59,6 +64,8 @@ class Joiner {
       all_values(d.element_values);
     } else if (name == "element_node_values") {
       all_values(d.element_node_values);
+    } else if (name == "roles") {
+      roles();
     } else if (name == "facets") {
       in_(d.facets);
     } else if (name == "holes") {
@@ -146,6 +153,15 @@ class Joiner {
       ++next;
     }
     all = std::move(joined);
+  }
+
+  void roles() {
+    std::vector<Values>* all[] = {&native_.node_values, &native_.element_values,
+                                  &native_.element_node_values};
+    std::size_t kind = 0, place = 0;
+    in_(kind, place);
+    if (kind >= std::size(all) || place >= all[kind]->size()) in_.fail("there are no such values");
+    in_((*all[kind])[place].roles);
   }
 
   void sections() {

@@ -91,6 +91,22 @@ void put_blocks(Encoder& out, const Document& document, const Holds& holds) {
   }
 }
 
+// The faces of polyhedra, block by block. Hardly a document has any, so they are a field of their own.
+void put_faces(Encoder& out, const Document& document) {
+  for (std::size_t b = 0; b < document.blocks.size(); ++b)
+    if (!document.blocks[b].faces.empty()) out.field("faces", b, document.blocks[b].faces);
+}
+
+// The roles of values, likewise.
+void put_roles(Encoder& out, const Document& document) {
+  const std::vector<Values>* all[] = {&document.node_values, &document.element_values,
+                                      &document.element_node_values};
+  for (std::size_t kind = 0; kind < std::size(all); ++kind)
+    for (std::size_t k = 0; k < all[kind]->size(); ++k)
+      if (const Values& values = (*all[kind])[k]; !values.roles.empty())
+        out.field("roles", kind, k, values.roles);
+}
+
 // Whether the native part has all elements in this order. If not, values in it would belong to other
 // elements.
 bool in_order(const Document& document, const Holds& holds) {
@@ -124,6 +140,7 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   out.field("unknown", document.unknown, written);
   out.field("tag_sets", document.tag_sets);
   put_blocks(out, document, holds);
+  put_faces(out, document);
   if (!holds.node_tags) out.field("node_tags", document.first_node, document.node_tags);
   if (!holds.element_tags || !in_order(document, holds))
     out.field("element_tags", document.first_element, document.element_tags);
@@ -138,6 +155,7 @@ std::string supplement_of(const Document& document, const Holds& holds) {
   put_all_values(out, "element_values", document.element_values, Of::element, same_order, holds);
   put_all_values(out, "element_node_values", document.element_node_values, Of::element_node, same_order,
                  holds);
+  put_roles(out, document);
   out.field("facets", document.facets);
   if (!holds.holes) out.field("holes", document.holes);
   if (!holds.regions) out.field("regions", document.regions);

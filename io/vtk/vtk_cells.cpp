@@ -16,9 +16,15 @@ struct Cell {
 constexpr Cell cells[] = {{15, 1, 1}, {1, 3, 2}, {2, 5, 3}, {3, 9, 4}, {4, 10, 4}, {5, 12, 8}, {6, 13, 6}, {7, 14, 5},
                           {8, 21, 3}, {9, 22, 6}, {16, 23, 8}, {10, 28, 9}, {11, 24, 10}, {17, 25, 20}, {12, 29, 27},
                           {18, 26, 15}, {13, 32, 18}, {19, 27, 13}, {26, 35, 4}};
-// Lagrange cells of order 1 and 2 list their nodes in the same order. They are read, not written.
-constexpr Cell lagrange[] = {{1, 68, 2}, {8, 68, 3}, {2, 69, 3}, {9, 69, 6}, {3, 70, 4}, {10, 70, 9}, {4, 71, 4},
-                             {11, 71, 10}};
+// Lagrange cells of order 1 and 2 list their nodes in the same order. They are read, not written; from order 3 on
+// they are written, too. Lagrange quadrilaterals of higher order have another order of nodes.
+constexpr Cell lagrange[] = {{3, 70, 4}, {10, 70, 9}};
+// The cells that have a type for each order.
+struct Family {
+  Shape shape;
+  int lagrange, bezier;
+};
+constexpr Family families[] = {{Shape::line, 68, 75}, {Shape::triangle, 69, 76}, {Shape::tetrahedron, 71, 78}};
 // Types that documents do not have, or have only for some numbers of nodes.
 constexpr std::pair<int, std::string_view> names[] = {
     {0, "empty cell"}, {15, "pentagonal prism"}, {16, "hexagonal prism"}, {30, "quadratic linear quad"},
@@ -44,11 +50,17 @@ int linear_cell(Shape shape) {
 }  // namespace
 
 VtkCell vtk_cell(const ElementBlock& block) {
+  if (block.type == polyline) return {static_cast<int>(vtk_poly_line), block.nodes_each};
+  if (block.type == polyhedron && !block.faces.empty())
+    return {static_cast<int>(vtk_polyhedron), block.nodes_each};
   if (block.type == polygon) return {static_cast<int>(vtk_polygon), block.nodes_each};
   for (const Cell& cell : cells)
     if (cell.gmsh == block.type && cell.nodes == block.nodes_each) return {cell.vtk, cell.nodes};
   const ElementType* type = element_type(block.type);
   if (!type || type->nodes != block.nodes_each) return {};
+  for (const Family& family : families)
+    if (family.shape == type->shape && (is_bezier(type->type) || order_of_complete(type->type) > 2))
+      return {is_bezier(type->type) ? family.bezier : family.lagrange, type->nodes};
   const int linear = linear_cell(type->shape);
   return linear == 0 ? VtkCell{} : VtkCell{linear, type->corners};
 }
@@ -61,6 +73,12 @@ int gmsh_type_of_cell(std::int64_t vtk, std::size_t nodes) {
     if (is_it(cell)) return cell.gmsh;
   for (const Cell& cell : lagrange)
     if (is_it(cell)) return cell.gmsh;
+  for (const Family& family : families)
+    for (int order = 1; const int type = complete_type(family.shape, order); ++order) {
+      if (static_cast<std::size_t>(element_type(type)->nodes) != nodes) continue;
+      if (vtk == family.lagrange) return type;
+      if (vtk == family.bezier) return order == 1 ? type : bezier(type);
+    }
   return 0;
 }
 

@@ -17,7 +17,8 @@ enum VtkCellType : std::int64_t {
   vtk_strip = 6,
   vtk_polygon = 7,
   vtk_pixel = 8,
-  vtk_voxel = 11
+  vtk_voxel = 11,
+  vtk_polyhedron = 42
 };
 
 /// The cell that VTK has for the elements of a block: its type, and how many of their nodes it takes: all, or
@@ -27,7 +28,7 @@ struct VtkCell {
 };
 VtkCell vtk_cell(const ElementBlock& block);
 
-/// Gmsh's type for VTK's type and number of nodes; 0: none.
+/// The element type for VTK's type and number of nodes; 0: none.
 int gmsh_type_of_cell(std::int64_t vtk, std::size_t nodes);
 /// Whether all of VTK's cells of this type have the same number of nodes. Another number is a contradiction.
 bool has_fixed_size(std::int64_t vtk);

@@ -15,6 +15,11 @@
 #include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
+namespace {
+
+constexpr std::size_t most_odd_types = 10;  // finding a line takes long in a large file
+
+}  // namespace
 
 std::string VtkLegacyScanner::next_word() const {
   Scanner ahead = *this;
@@ -24,7 +29,13 @@ std::string VtkLegacyScanner::next_word() const {
 std::string VtkLegacyScanner::type() {
   const std::string_view found = word();
   std::string type = type_of_vtk_word(found);
-  if (type.empty()) fail("the type of numbers", found);
+  if (type.empty()) {
+    const std::string_view tried = vtk_type_tried_for(found);
+    if (tried.empty()) fail("the type of numbers", found);
+    if (odd_types_.size() < most_odd_types)
+      odd_types_.push_back({std::string(found), line(), std::string(tried)});
+    return type_of_vtk_word(tried);
+  }
   return type;
 }
 

@@ -28,6 +28,14 @@ class VtkLegacyScanner : public Scanner {
   std::string type();
   int components();
 
+  /// A word that VTK takes for a type, because it begins with the type's name: "int1".
+  struct OddType {
+    std::string word;
+    std::int64_t line;
+    std::string type;
+  };
+  const std::vector<OddType>& odd_types() const { return odd_types_; }
+
   /// Appends `count` values of `column.type`. They begin in the next line.
   void numbers(Column& column, std::size_t count);
   /// Does the same, but refuses a type that is not of integers.
@@ -48,6 +56,7 @@ class VtkLegacyScanner : public Scanner {
                         std::vector<std::int64_t>& ends);
 
   bool binary_ = false;
+  std::vector<OddType> odd_types_;
 };
 
 }  // namespace tetproof::io

@@ -10,13 +10,15 @@
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_types.hpp"
+#include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
 
 class Maker {
  public:
-  Maker(const Document& document, const VtkPlan& plan) : document_(document) {
+  Maker(const Document& document, const VtkPlan& plan)
+      : document_(document), has_entities_(!plan.entities.empty()) {
     cells();
     for (std::size_t k = 0; k < plan.node_values.size(); ++k)
       add_values(mesh_.point_data, plan.node_values[k], document.node_values[k], nullptr,
@@ -53,8 +55,22 @@ class Maker {
         for (int k = 0; k < cell.nodes; ++k)
           mesh_.connectivity.push_back(nodes[order.empty() ? k : order[k]]);
         mesh_.ends.push_back(static_cast<std::int64_t>(mesh_.connectivity.size()));
+        if (cell.type == vtk_polyhedron) add_faces(block, nodes);
       }
     }
+    if (!mesh_.face_ends.empty()) mesh_.face_ends.resize(mesh_.types.size(), -1);
+  }
+
+  void add_faces(const ElementBlock& block, const Index* nodes) {
+    const std::size_t first = mesh_.faces.size();
+    mesh_.faces.push_back(0);
+    for (std::size_t at = 0; at < block.faces.size(); ++mesh_.faces[first]) {
+      const std::int32_t corners = block.faces[at++];
+      mesh_.faces.push_back(corners);
+      for (std::int32_t k = 0; k < corners; ++k) mesh_.faces.push_back(nodes[block.faces[at++]]);
+    }
+    mesh_.face_ends.resize(mesh_.types.size() - 1, -1);
+    mesh_.face_ends.push_back(static_cast<std::int64_t>(mesh_.faces.size()));
   }
 
   // Adds an array for values of `items` nodes or elements. `written`: the positions of those that are
@@ -62,7 +78,9 @@ class Maker {
   void add_values(std::vector<VtkArray>& to, const std::string& name, const Values& values,
                   const std::vector<std::size_t>* written, std::size_t items) {
     if (values.components < 1 || !values.nodes.empty()) return;
-    VtkArray array{.name = name, .components = values.components};
+    VtkArray array{.name = name, .components = values.components, .roles = values.roles};
+    if (has_vtk_role(values, written && has_entities_))
+      array.attribute = vtk_word_of_role(values.roles[0], values.components);
     const bool whole = covers(values, items) && (!written || written->size() == items);
     const auto take = [&](const auto& from, auto& own, auto& span, auto filler) {
       if (whole) {
@@ -122,6 +140,7 @@ class Maker {
   }
 
   const Document& document_;
+  const bool has_entities_;
   VtkMesh mesh_;
 };
 

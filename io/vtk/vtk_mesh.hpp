@@ -5,6 +5,7 @@
 #include <deque>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/document.hpp"
@@ -19,6 +20,8 @@ struct VtkArray {
   std::span<const double> reals;
   std::span<const std::int64_t> integers;
   std::span<const std::string> texts;
+  std::vector<std::string> roles{};  ///< see `Values`
+  std::string_view attribute{};      ///< the keyword of a legacy file that gives it its role; empty: none
   std::size_t size() const { return reals.size() + integers.size() + texts.size(); }
 };
 struct VtkMesh {
@@ -26,6 +29,9 @@ struct VtkMesh {
   std::vector<Index> connectivity;
   std::vector<std::int64_t> ends;
   std::vector<unsigned char> types;
+  /// The faces of polyhedra: their number, and for each the number of its points and these. `face_ends`:
+  /// where those of each cell end; -1: it has none. Empty: there are no polyhedra.
+  std::vector<std::int64_t> faces, face_ends;
   std::vector<VtkArray> point_data, cell_data, field_data;
   std::deque<std::vector<double>> own_reals;  ///< the numbers of arrays that differ from the document's
   std::deque<std::vector<std::int64_t>> own_integers;

@@ -14,7 +14,10 @@
 #include "io/model/node_order.hpp"
 #include "io/model/tag_sets.hpp"
 #include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_polyhedron.hpp"
+#include "io/vtk/vtk_values.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -28,8 +31,6 @@ std::string item_of(std::int64_t type) {
   switch (type) {
     case vtk_poly_vertex:
       return "cells of several vertices, kept as points";
-    case vtk_poly_line:
-      return "polylines, kept as lines";
     case vtk_strip:
       return "triangle strips, kept as triangles";
     case vtk_pixel:
@@ -43,8 +44,7 @@ std::string item_of(std::int64_t type) {
 
 // Whether the mesh lacks elements without such cells, of which something is dropped. An empty cell is none.
 bool is_element_lost(std::int64_t type) {
-  return type != 0 && type != vtk_poly_vertex && type != vtk_poly_line && type != vtk_strip &&
-         type != vtk_pixel && type != vtk_voxel;
+  return type != 0 && type != vtk_poly_vertex && type != vtk_strip && type != vtk_pixel && type != vtk_voxel;
 }
 
 class Adder {
@@ -68,9 +68,13 @@ class Adder {
     names();
     cells();
     for (Column& column : piece_.point_data)
-      add_values(document_.node_values, std::move(column), base_, points_, {});
+      add_vtk_values(document_, document_.node_values, std::move(column), {base_, points_},
+                     piece_.point_roles);
     for (Column& column : piece_.cell_data)
-      add_values(document_.element_values, std::move(column), first_, piece_.types.size(), origin_);
+      add_vtk_values(document_, document_.element_values, std::move(column),
+                     {first_, piece_.types.size(), changed_ ? &origin_ : nullptr}, piece_.cell_roles);
+    for (const auto* roles : {&piece_.point_roles, &piece_.cell_roles})
+      for (const VtkRole& role : *roles) add_vtk_role(document_.dropped, role.array, role.role);
   }
 
  private:
@@ -87,6 +91,8 @@ class Adder {
             column->texts.empty()) {
           to = std::move(column->integers);
           piece_.cell_data.erase(column);
+          // Entities and groups have no use for a role.
+          std::erase_if(piece_.cell_roles, [&](const VtkRole& role) { return role.array == name; });
           return true;
         }
       return false;
@@ -107,6 +113,7 @@ class Adder {
         fail(fmt::format("cell {}: expected an offset from {} to {}, found {}", c, start,
                          piece_.connectivity.size(), end));
       cell(c, {piece_.connectivity.data() + start, static_cast<std::size_t>(end - start)});
+      if (!piece_.face_ends.empty() && piece_.face_ends[c] >= 0) face_start_ = piece_.face_ends[c];
       start = end;
     }
     if (start != static_cast<std::int64_t>(piece_.connectivity.size()))
@@ -117,6 +124,10 @@ class Adder {
       add_loss(document_.dropped, item_of(type), cells.count,
                fmt::format("cell {}{}, {}", cells.first, piece_.which, counted(cells.points, "points")),
                is_element_lost(type));
+    if (bezier_ > 0)
+      document_.warnings.push_back(
+          fmt::format("{}: {}{} of Bezier's kind, kept as such: their control points need not lie on them",
+                      document_.path, counted(bezier_, "cells"), piece_.which));
     const bool one_to_one = origin_.size() == count && !left_out_ && !split_;
     if (one_to_one) origin_.clear();
     changed_ = !one_to_one;
@@ -136,10 +147,12 @@ class Adder {
       for (const std::size_t i : which) some[k++] = nodes[i];
       element(c, gmsh, {some, k});
     };
+    if (type == vtk_polyhedron) return polyhedron(c, nodes);
     if (type == vtk_poly_vertex || type == vtk_poly_line || type == vtk_strip) {
       const std::size_t least = type == vtk_poly_vertex ? 1 : type == vtk_poly_line ? 2 : 3;
       if (n < least)
         fail(fmt::format("cell {}: expected {} or more, found {}", c, counted(least, "points"), n));
+      if (type == vtk_poly_line) return element(c, n == 2 ? line2 : polyline, nodes);
       if (n != least) {
         split_ = true;
         drop(c, n);
@@ -147,8 +160,6 @@ class Adder {
       for (std::size_t i = 0; i + least <= n; ++i)
         if (type == vtk_poly_vertex)
           part(point1, {i});
-        else if (type == vtk_poly_line)
-          part(line2, {i, i + 1});
         else if (i % 2 == 0)
           part(triangle3, {i, i + 1, i + 2});
         else
@@ -165,15 +176,43 @@ class Adder {
       drop(c, n);
       return part(5, {0, 1, 3, 2, 4, 5, 7, 6});
     }
-    const int gmsh = gmsh_type_of_cell(type, n);
-    if (gmsh != 0) return element(c, gmsh, nodes);
+    if (type != known_.vtk || n != known_.nodes) known_ = {type, n, gmsh_type_of_cell(type, n)};
+    if (known_.type != 0) {
+      bezier_ += is_bezier(known_.type);
+      return element(c, known_.type, nodes);
+    }
     if (has_fixed_size(type))
       fail(fmt::format("cell {}: a cell of VTK's type {} does not have {}", c, type, counted(n, "points")));
     left_out_ = true;
     drop(c, n);
   }
 
-  void element(std::size_t c, int type, std::span<const std::int64_t> nodes) {
+  // The list of a polyhedron's faces, as it stands in the file.
+  std::span<const std::int64_t> faces_of(std::size_t c, std::span<const std::int64_t> nodes) {
+    if (piece_.face_ends.empty()) return piece_.faces_in_cells ? nodes : std::span<const std::int64_t>{};
+    const std::int64_t end = piece_.face_ends[c], start = face_start_;
+    if (end < 0) return {};
+    if (end < start || end > static_cast<std::int64_t>(piece_.faces.size()))
+      fail(fmt::format("cell {}: expected an offset of faces from {} to {}, found {}", c, start,
+                       piece_.faces.size(), end));
+    return std::span(piece_.faces)
+        .subspan(static_cast<std::size_t>(start), static_cast<std::size_t>(end - start));
+  }
+
+  void polyhedron(std::size_t c, std::span<const std::int64_t> nodes) {
+    const std::span<const std::int64_t> list = faces_of(c, nodes);
+    const std::string wrong =
+        polyhedron_.read(list, piece_.faces_in_cells ? std::span<const std::int64_t>{} : nodes);
+    if (!wrong.empty()) fail(fmt::format("cell {}: {}", c, wrong));
+    if (polyhedron_.faces.empty() || polyhedron_.nodes.empty()) {
+      left_out_ = true;
+      return drop(c, nodes.size());
+    }
+    element(c, tetproof::io::polyhedron, polyhedron_.nodes, std::move(polyhedron_.faces));
+  }
+
+  void element(std::size_t c, int type, std::span<const std::int64_t> nodes,
+               std::vector<std::int32_t>&& faces = {}) {
     const std::int64_t entity = entities_.empty() ? 0 : entities_[c];
     tags_.clear();
     for (const auto& groups : groups_)
@@ -183,15 +222,15 @@ class Adder {
     const auto each = static_cast<std::int32_t>(nodes.size());
     if (blocks.empty() || blocks.back().first < first_ || blocks.back().type != type ||
         blocks.back().nodes_each != each || blocks.back().entity != entity ||
-        blocks.back().groups != groups) {
-      const ElementType* known = element_type(type);
+        blocks.back().groups != groups || blocks.back().faces != faces) {
       blocks.push_back({.type = type,
-                        .dim = known ? known->dim : 2,
+                        .dim = dimension_of_type(type),
                         .entity = entity,
                         .groups = groups,
                         .nodes_each = each,
                         .first = document_.elements(),
-                        .nodes = document_.connectivity.size()});
+                        .nodes = document_.connectivity.size(),
+                        .faces = std::move(faces)});
       order_ = node_order(type, NodeOrder::vtk);
     }
     ++blocks.back().count;
@@ -215,55 +254,6 @@ class Adder {
     return place->second;
   }
 
-  // `origin`: for each item of the document, the item of the piece that has its values; empty: the same.
-  void add_values(std::vector<Values>& to, Column&& column, std::size_t first, std::size_t items,
-                  const std::vector<std::uint32_t>& origin) {
-    const auto each = static_cast<std::size_t>(column.components);
-    if (column.components < 1 || column_size(column) != items * each)
-      fail(fmt::format("array \"{}\": expected {}, found {}", column.name, counted(items * each, "values"),
-                       column_size(column)));
-    Values values{.name = std::move(column.name), .components = column.components};
-    if (!column.texts.empty()) {
-      std::unordered_map<std::string, std::int64_t> known;
-      for (std::string& text : column.texts) {
-        const auto [place, is_new] = known.try_emplace(text, static_cast<std::int64_t>(known.size()));
-        if (is_new) values.labels.push_back(std::move(text));
-        column.integers.push_back(place->second);
-      }
-    }
-    if (column.type == "UInt64") count_wrapped(column, values.name);
-    const auto pick = [&](auto& from) {
-      if (!changed_ || &to == &document_.node_values) return std::move(from);
-      std::remove_cvref_t<decltype(from)> picked;
-      picked.reserve(from.empty() ? 0 : origin.size() * each);
-      for (const std::uint32_t c : origin)
-        for (std::size_t k = 0; k < each && !from.empty(); ++k) picked.push_back(from[c * each + k]);
-      return picked;
-    };
-    values.reals = pick(column.reals);
-    values.integers = pick(column.integers);
-    // The array of the previous piece continues here.
-    for (Values& before : to)
-      if (before.name == values.name && before.components == values.components && first > 0 &&
-          before.first + before.items() == first && before.labels.empty() && values.labels.empty() &&
-          (values.size() == 0 || before.integers.empty() == values.integers.empty())) {
-        before.reals.insert(before.reals.end(), values.reals.begin(), values.reals.end());
-        before.integers.insert(before.integers.end(), values.integers.begin(), values.integers.end());
-        return;
-      }
-    values.first = first;
-    to.push_back(std::move(values));
-  }
-
-  void count_wrapped(const Column& column, const std::string& name) {
-    const auto negative = [](std::int64_t value) { return value < 0; };
-    const auto first = std::find_if(column.integers.begin(), column.integers.end(), negative);
-    if (first == column.integers.end()) return;
-    add_loss(document_.dropped, "integers of 2^63 or more, kept as negative ones",
-             static_cast<std::size_t>(std::count_if(first, column.integers.end(), negative)),
-             fmt::format("{} of \"{}\"", static_cast<std::uint64_t>(*first), name));
-  }
-
   Document& document_;
   VtkPiece& piece_;
   const bool whole_;
@@ -275,6 +265,14 @@ class Adder {
   std::span<const int> order_;
   std::vector<std::uint32_t> origin_;  // the cell of each element
   bool split_ = false, left_out_ = false, changed_ = false;
+  struct {
+    std::int64_t vtk = 0;
+    std::size_t nodes = 0;
+    int type = 0;
+  } known_;  // the type of the last cell
+  std::int64_t face_start_ = 0;
+  VtkPolyhedron polyhedron_;
+  std::size_t bezier_ = 0;
   std::map<std::int64_t, Dropped> dropped_;  // by VTK's type
   std::unordered_map<std::int64_t, Index> unknown_;
 };

@@ -10,21 +10,33 @@
 
 namespace tetproof::io {
 
+/// The role of an array in VTK's attributes: "Scalars", "Vectors", ...
+struct VtkRole {
+  std::string array, role;
+};
+
 /// Cells and arrays in VTK's terms, as they stand in a file and not yet checked.
 struct VtkPiece {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::int64_t> connectivity, ends;  ///< cell c ends at `ends[c]` in the connectivity
   std::vector<std::int64_t> types;
+  /// The faces of polyhedra: for each their number, and for each face the number of its points and these.
+  /// Those of cell c end at `face_ends[c]`; -1: it has none.
+  std::vector<std::int64_t> faces, face_ends;
+  bool faces_in_cells = false;  ///< they stand in the connectivity, in place of the points of the cell
   std::vector<Column> point_data, cell_data;
+  std::vector<VtkRole> point_roles, cell_roles;
   std::string which;  ///< of a file with several pieces: " of piece 2", for messages
 };
 
-/// Appends a piece to the document. A polyline, a strip or a cell of many vertices becomes one element for
-/// each of its parts. Pixels and voxels become quadrangles and hexahedra. Cells of types that no document has
-/// (polyhedra, elements of order 3 and more) are left out. All of these are listed as dropped. The cell data
-/// "entity" (or "CellEntityIds", Gmsh's name for it) and "group", "group 2", ... become entities and physical
-/// groups. Strings become integers with labels. `whole`: the file has only this piece. Then cells keep
-/// numbers that no point has. InputError, naming the cell, where numbers contradict each other.
+/// Appends a piece to the document. A strip or a cell of many vertices becomes one element for each of its
+/// parts. Pixels and voxels become quadrangles and hexahedra. Cells of types that no document has (Lagrange
+/// hexahedra, quadratic polygons, ...) are left out. All of these are listed as dropped. Bezier cells become
+/// elements of types of their own, with a warning. The nodes of a polyhedron are put in the order in which
+/// its faces name them. The cell data "entity" (or "CellEntityIds", Gmsh's name for it) and "group", "group
+/// 2", ... become entities and physical groups. Strings become integers with labels. `whole`: the file has
+/// only this piece. Then cells keep numbers that no point has. InputError, naming the cell, where numbers
+/// contradict each other.
 void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole);
 
 /// Appends an array that belongs to neither points nor cells: a table with one column of the same name.

@@ -15,6 +15,7 @@
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_types.hpp"
+#include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -59,10 +60,22 @@ bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
 
-// Whether an array of entities is needed. The tags 0 (none) and 1 (the only one) need none.
+// Whether an array of entities is needed. The tag 0 is none. The tag 1 is what readers of other formats give
+// to elements that have no other; in VTK's files it is in an array, which is kept.
 bool has_entities(const Document& document) {
-  return !all_of_blocks(document,
-                        [](const ElementBlock& block) { return block.entity == 0 || block.entity == 1; });
+  const bool of_vtk = document.format == "vtk" || document.format == "vtu";
+  return !all_of_blocks(document, [&](const ElementBlock& block) {
+    return block.entity == 0 || (block.entity == 1 && !of_vtk);
+  });
+}
+
+// Whether an array can have all of its roles in the file: each role only once.
+bool has_roles_alone(const std::vector<Values>& all, const Values& values) {
+  for (const std::string& role : values.roles)
+    for (const Values& other : all)
+      if (&other != &values && std::find(other.roles.begin(), other.roles.end(), role) != other.roles.end())
+        return false;
+  return true;
 }
 
 std::size_t most_groups(const Document& document) {
@@ -107,8 +120,7 @@ std::vector<VtkPlan::Field> fields_of(const Document& document) {
 Holds holds_of_both(const Document& document, const VtkPlan& plan) {
   Holds holds;
   holds.element_entities = !plan.entities.empty() && all_of_blocks(document, [](const ElementBlock& block) {
-    const ElementType* type = element_type(block.type);
-    return block.dim == (type ? type->dim : 2);
+    return block.dim == dimension_of_type(block.type);
   });
   holds.groups = Holds::Groups::all;
   holds.groups_of = [&document](const ElementBlock& block) {  // 0 stands for none
@@ -151,6 +163,18 @@ std::string vtk_group_array(std::size_t k) {
   return k == 0 ? "group" : fmt::format("group {}", k + 1);
 }
 
+bool has_vtk_role(const Values& values, bool beside_entities) {
+  if (values.roles.empty()) return false;
+  const std::string& role = values.roles[0];
+  const int n = values.components;
+  // VTK takes the first array of scalars, which the entities are.
+  if (role == "Scalars") return n >= 1 && n <= 4 && !beside_entities && values.labels.empty();
+  if (role == "Vectors" || role == "Normals") return n == 3;
+  if (role == "Tensors") return n == 9 || n == 6;
+  if (role == "TCoords") return n >= 1 && n <= 3;
+  return n == 1 && (role == "GlobalIds" || role == "PedigreeIds" || role == "EdgeFlag");
+}
+
 bool covers(const Values& values, std::size_t items) {
   for (std::size_t k = 0; k < values.at.size(); ++k)
     if (values.at[k] != static_cast<Index>(k)) return false;
@@ -172,6 +196,12 @@ Holds vtk_holds(const Document& document, const VtkPlan& plan) {
   Holds holds = holds_of_both(document, plan);
   holds.title = document.title.size() <= longest_vtk_title &&
                 document.title.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos;
+  holds.roles = [&document, &plan](const Values& values, Of of) {
+    if (values.roles.empty()) return true;
+    const auto& all = of == Of::node ? document.node_values : document.element_values;
+    return values.roles.size() == 1 && has_roles_alone(all, values) &&
+           has_vtk_role(values, of == Of::element && !plan.entities.empty());
+  };
   return holds;
 }
 
@@ -182,6 +212,10 @@ Holds vtu_holds(const Document& document, const VtkPlan& plan) {
   };
   holds.numbers = [common = holds.numbers](const Values& values, Of of) {
     return is_xml_text(values.name) ? common(values, of) : std::nullopt;
+  };
+  holds.roles = [&document](const Values& values, Of of) {
+    const auto& all = of == Of::node ? document.node_values : document.element_values;
+    return has_roles_alone(all, values) && std::all_of(values.roles.begin(), values.roles.end(), is_vtk_role);
   };
   holds.table = [common = holds.table](const Table& table) {
     return common(table) && is_xml_text(table.name) && are_vtu_strings(table.columns[0].texts);

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the sections of VTK's legacy files: points, cells, and their data.
+// Reads the sections of VTK's legacy files: points, cells, and what describes structured grids.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <limits>
-#include <set>
 
 #include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
-#include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
-#include "io/vtk/vtk_information.hpp"
+#include "io/vtk/vtk_data.hpp"
+#include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_legacy.hpp"
 #include "io/vtk/vtk_piece.hpp"
-#include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
 
 class Reader {
  public:
-  explicit Reader(const InputFile& file) : in_(file) {
+  explicit Reader(const InputFile& file)
+      : in_(file), data_(in_, document_, piece_), size_(file.bytes().size()) {
     document_.path = file.path();
     document_.format = "vtk";
     document_.first_node = document_.first_element = 0;
@@ -30,13 +29,18 @@ class Reader {
   Document read() {
     header();
     while (!in_.at_end()) section(in_.word());
-    list_roles();
-    if (!has_points_ && (!piece_.ends.empty() || !lists_.empty())) in_.fail("POINTS", {});
-    polygons();
-    if (types_.empty() && !piece_.ends.empty() && lists_.empty()) in_.fail("CELL_TYPES", {});
-    piece_.types.insert(piece_.types.end(), types_.begin(), types_.end());
-    check_data(piece_.cell_data, piece_.types.size(), "cells");
-    check_data(piece_.point_data, piece_.points.size(), "points");
+    if (is_structured()) {
+      structured();
+    } else {
+      if (!has_points_ && (!piece_.ends.empty() || !lists_.empty())) in_.fail("POINTS", {});
+      polygons();
+      if (types_.empty() && !piece_.ends.empty() && lists_.empty()) in_.fail("CELL_TYPES", {});
+      if (lists_.empty()) check_types();
+      piece_.types.insert(piece_.types.end(), types_.begin(), types_.end());
+      piece_.faces_in_cells = true;
+    }
+    data_.finish(piece_.points.size(), piece_.types.size());
+    list_odd_types();
     add_vtk_piece(document_, std::move(piece_), true);
     return std::move(document_);
   }
@@ -57,16 +61,10 @@ class Reader {
   void section(std::string_view word) {
     const std::string name = lower_case(word);
     if (name == "dataset") return dataset();
-    if (name == "field") return field();
-    if (name == "metadata") return read_vtk_metadata(in_, last_array_, document_.dropped);
-    if (name == "point_data" || name == "cell_data") {
-      items_ = in_.integer("a number of items");
-      if (items_ < 0) in_.fail_in_line(fmt::format("expected a number of items, found {}", items_));
-      list_roles();
-      data_ = name == "point_data" ? &piece_.point_data : &piece_.cell_data;
-      return;
-    }
-    if (!has_dataset_) in_.fail("DATASET or FIELD", word);
+    if (name == "field") return data_.field();
+    if (name == "metadata") return data_.metadata();
+    if (name == "point_data" || name == "cell_data") return data_.start(name == "point_data");
+    if (dataset_.empty()) in_.fail("DATASET or FIELD", word);
     if (name == "points") return points();
     if (name == "cells") return in_.cells(piece_.connectivity, piece_.ends);
     if (name == "cell_types") return cell_types();
@@ -79,16 +77,72 @@ class Reader {
       lists_.push_back(std::move(list));
       return;
     }
-    if (!data_) in_.fail("POINTS, CELLS, CELL_TYPES, POINT_DATA or CELL_DATA", word);
-    attribute(name, word);
+    if (is_structured() && lattice(name)) return;
+    if (!data_.started()) in_.fail("POINTS, CELLS, CELL_TYPES, POINT_DATA or CELL_DATA", word);
+    data_.attribute(name, word);
   }
 
   void dataset() {
-    if (has_dataset_) in_.fail_in_line("a second DATASET");
+    if (!dataset_.empty()) in_.fail_in_line("a second DATASET");
     const std::string_view word = in_.word();
-    const std::string kind = lower_case(word);
-    if (kind != "unstructured_grid" && kind != "polydata") in_.fail("UNSTRUCTURED_GRID or POLYDATA", word);
-    has_dataset_ = true;
+    dataset_ = lower_case(word);
+    if (dataset_ != "unstructured_grid" && dataset_ != "polydata" && !is_structured())
+      in_.fail("UNSTRUCTURED_GRID, POLYDATA, STRUCTURED_POINTS, STRUCTURED_GRID or RECTILINEAR_GRID", word);
+  }
+
+  bool is_structured() const {
+    return dataset_ == "structured_points" || dataset_ == "structured_grid" || dataset_ == "rectilinear_grid";
+  }
+
+  // Reads what describes a structured grid. Returns false for other words.
+  bool lattice(const std::string& name) {
+    const auto three = [&](auto& to, const auto& read) {
+      for (auto& value : to) value = read();
+      return true;
+    };
+    const auto integer = [&] { return in_.integer("a number of points"); };
+    const auto real = [&] { return in_.real("a coordinate"); };
+    if (name == "dimensions") return three(dimensions_, integer);
+    if (name == "extent") {
+      for (std::size_t k = 0; k < 3; ++k) {
+        image_.first[k] = in_.integer("the first index");
+        dimensions_[k] = in_.integer("the last index") - image_.first[k] + 1;
+      }
+      return true;
+    }
+    if (name == "origin") return three(image_.origin, real);
+    if (name == "spacing" || name == "aspect_ratio") return three(image_.spacing, real);
+    if (name.size() != 13 || name.substr(1) != "_coordinates" || name[0] < 'x' || name[0] > 'z') return false;
+    const std::int64_t count = in_.count("the number of coordinates", 1);
+    Column column{.type = in_.type()};
+    if (column.type == "String" || column.type == "bit") in_.fail_in_line("coordinates are numbers");
+    in_.numbers(column, static_cast<std::size_t>(count));
+    std::vector<double>& axis = axes_[static_cast<std::size_t>(name[0] - 'x')];
+    axis.clear();
+    for (std::size_t i = 0; i < column_size(column); ++i) axis.push_back(number_at<double>(column, i));
+    return true;
+  }
+
+  void structured() {
+    const std::int64_t points = lattice_points(dimensions_, most_lattice_points(size_));
+    if (points < 0)
+      in_.fail_in_line(fmt::format("{} points are more than a file of {} can have data for",
+                                   fmt::join(dimensions_, " x "), counted(size_, "bytes")));
+    if (dataset_ == "structured_points") {
+      add_image_points(dimensions_, image_, piece_);
+    } else if (dataset_ == "rectilinear_grid") {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (static_cast<std::int64_t>(axes_[k].size()) != dimensions_[k])
+          in_.fail_in_line(fmt::format("expected {} {}_COORDINATES, found {}", dimensions_[k],
+                                       static_cast<char>('X' + k), axes_[k].size()));
+      add_lattice_points(axes_, piece_);
+    }
+    if (static_cast<std::int64_t>(piece_.points.size()) != points)
+      in_.fail_in_line(
+          fmt::format("expected {} points, found {}", fmt::join(dimensions_, " x "), piece_.points.size()));
+    add_lattice_cells(dimensions_, piece_);
+    document_.warnings.push_back(
+        fmt::format("{}: {}", document_.path, lattice_in_words("a structured grid", dimensions_)));
   }
 
   void points() {
@@ -101,7 +155,7 @@ class Reader {
     if (coordinates.type == "String" || coordinates.type == "bit") in_.fail_in_line("points are numbers");
     in_.numbers(coordinates, 3 * static_cast<std::size_t>(count));
     has_points_ = true;
-    last_array_ = "POINTS";
+    data_.set_last_array("POINTS");
     piece_.points.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < 3 * piece_.points.size(); ++i)
       piece_.points[i / 3][static_cast<Eigen::Index>(i % 3)] = number_at<double>(coordinates, i);
@@ -113,6 +167,10 @@ class Reader {
     Column types{.type = "Int32"};
     in_.integers(types, static_cast<std::size_t>(count));
     types_ = std::move(types.integers);
+    if (!piece_.ends.empty()) check_types();  // else CELLS follow
+  }
+
+  void check_types() const {
     if (types_.size() != piece_.ends.size())
       in_.fail_in_line(fmt::format("expected the types of {}, found {}", counted(piece_.ends.size(), "cells"),
                                    types_.size()));
@@ -131,143 +189,13 @@ class Reader {
       }
   }
 
-  void attribute(const std::string& name, std::string_view word) {
-    if (name == "lookup_table") return lookup_table();
-    struct Kind {
-      std::string_view name;
-      int components;  // 0: a number in the line says it
-    };
-    static constexpr Kind kinds[] = {{"scalars", 1},      {"vectors", 3},      {"normals", 3},
-                                     {"tensors", 9},      {"tensors6", 6},     {"texture_coordinates", 0},
-                                     {"global_ids", 1},   {"pedigree_ids", 1}, {"edge_flags", 1},
-                                     {"color_scalars", 0}};
-    const auto kind =
-        std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
-    if (kind == std::end(kinds)) in_.fail("an attribute of points or cells", word);
-    Column column{.name = vtk_decoded(in_.word())};
-    column.components = kind->components;
-    if (name == "color_scalars") {
-      add_role(column.name, word);
-      return colors(column);
-    }
-    if (kind->components == 0) column.components = in_.components();
-    column.type = in_.type();
-    if (name == "scalars") {
-      if (!in_.at_line_end()) column.components = in_.components();
-      if (in_.next_word() == "lookup_table") {
-        in_.word();
-        table_of(column.name, in_.word());
-      }
-    }
-    in_.numbers(column, size_of_data(column));
-    add_role(column.name, word);
-    take(std::move(column));
+  // VTK takes every word that begins with the name of a type for that type.
+  void list_odd_types() {
+    for (const auto& [word, line, type] : in_.odd_types())
+      document_.warnings.push_back(
+          fmt::format("{}:{}: the type '{}' is read as {}, as VTK does", document_.path, line, word, type));
   }
 
-  // Arrays of entities and groups become what they say, and have no use for a role.
-  void add_role(const std::string& array, std::string_view word) {
-    if (data_ == &piece_.cell_data && is_array_of_tags(array)) return;
-    roles_.push_back({array, std::string(word)});
-  }
-
-  // Lists the roles of the arrays of POINT_DATA or CELL_DATA, behind their last array. SCALARS, VECTORS and
-  // TENSORS are also just how an array of 1, 3 or 9 numbers each is written. They are a choice only beside a
-  // FIELD, whose arrays have no role; and VTK then chooses the first of a kind.
-  void list_roles() {
-    std::set<std::string> chosen;
-    for (const Role& role : roles_) {
-      const std::string word = lower_case(role.word);
-      const bool is_form = word == "scalars" || word == "vectors" || word == "tensors" || word == "tensors6";
-      if (!is_form || (has_field_ && chosen.insert(word).second))
-        add_vtk_role(document_.dropped, role.array, role.word);
-    }
-    roles_.clear();
-    has_field_ = false;
-  }
-
-  void table_of(const std::string& array, std::string_view table) {
-    if (lower_case(table) != "default")
-      add_loss(document_.dropped, "lookup tables of values", 1,
-               fmt::format("\"{}\" of \"{}\"", vtk_decoded(table), array));
-  }
-
-  void take(Column&& column) {
-    last_array_ = column.name;
-    data_->push_back(std::move(column));
-  }
-
-  void colors(Column& column) {
-    column.components = in_.components();
-    column.type = "UInt8";
-    add_rounded(column.name, in_.colors(column, size_of_data(column)));
-    take(std::move(column));
-  }
-
-  void add_rounded(const std::string& array, std::size_t colors) {
-    add_loss(document_.dropped, "colours, rounded to bytes", colors, fmt::format("\"{}\"", array));
-  }
-
-  // The number of values that the points or cells have in a column. The rest of the file can hold them.
-  std::size_t size_of_data(const Column& column) const {
-    const auto each = static_cast<std::size_t>(column.components), items = static_cast<std::size_t>(items_);
-    in_.check_room(items, each);
-    return items * each;
-  }
-
-  void lookup_table() {
-    Column column{.name = vtk_decoded(in_.word()), .type = "UInt8", .components = 4};
-    const std::int64_t size = in_.count("the size of a lookup table", 4);
-    add_rounded(column.name, in_.colors(column, 4 * static_cast<std::size_t>(size)));
-    last_array_ = column.name;
-    add_vtk_field(document_, std::move(column));
-  }
-
-  void field() {
-    const std::string name = vtk_decoded(in_.word());  // "FieldData" is what VTK writes
-    if (lower_case(name) != "fielddata")
-      add_loss(document_.dropped, "names of fields", 1, fmt::format("\"{}\"", name));
-    const std::int64_t arrays = in_.count("the number of arrays", 4);
-    has_field_ = has_field_ || (data_ && arrays > 0);
-    for (std::int64_t a = 0; a < arrays; ++a) {
-      std::string_view word = in_.word();
-      while (lower_case(word) == "metadata") {
-        read_vtk_metadata(in_, last_array_, document_.dropped);
-        word = in_.word();
-      }
-      if (word.empty()) in_.fail("the name of an array", word);
-      if (word == "NULL_ARRAY") continue;
-      Column column{.name = vtk_decoded(word)};
-      const std::int64_t each = in_.integer("the number of components"),
-                         items = in_.integer("the number of tuples");
-      if (each < 0 || items < 0 || each > std::numeric_limits<std::int32_t>::max())
-        in_.fail_in_line(
-            fmt::format("expected numbers of components and tuples, found {} and {}", each, items));
-      column.components = std::max(1, static_cast<int>(each));
-      column.type = in_.type();
-      in_.check_room(static_cast<std::size_t>(items), static_cast<std::size_t>(each));
-      in_.numbers(column, static_cast<std::size_t>(each * items));
-      last_array_ = column.name;
-      if (!data_)
-        add_vtk_field(document_, std::move(column));
-      else if (items == items_)
-        take(std::move(column));
-      else
-        in_.fail_in_line(fmt::format("array \"{}\": expected {}, found {}", column.name,
-                                     counted(items_, "tuples"), items));
-    }
-  }
-
-  void check_data(const std::vector<Column>& data, std::size_t items, const char* what) const {
-    for (const Column& column : data)
-      if (column_size(column) != items * static_cast<std::size_t>(column.components))
-        in_.fail_in_line(fmt::format("array \"{}\": expected values of {} {}, found {}", column.name, items,
-                                     what,
-                                     column_size(column) / static_cast<std::size_t>(column.components)));
-  }
-
-  struct Role {
-    std::string array, word;
-  };
   struct List {
     VtkCellType type;
     std::vector<std::int64_t> connectivity{}, ends{};
@@ -276,14 +204,15 @@ class Reader {
   VtkLegacyScanner in_;
   Document document_;
   VtkPiece piece_;
-  bool has_dataset_ = false, has_points_ = false;
+  VtkDataReader data_;
+  const std::size_t size_;  // of the file
+  std::string dataset_;     // the kind in lower case
+  bool has_points_ = false;
   std::vector<std::int64_t> types_;
   std::vector<List> lists_;
-  std::vector<Column>* data_ = nullptr;
-  std::int64_t items_ = 0;
-  std::string last_array_;   // METADATA are about this one
-  std::vector<Role> roles_;  // of the arrays of these data
-  bool has_field_ = false;   // whether these data have arrays in a FIELD
+  VtkDimensions dimensions_{};
+  VtkImage image_;
+  std::array<std::vector<double>, 3> axes_;
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/text_output.hpp"
@@ -43,31 +45,50 @@ class Writer {
 
  private:
   void cells() {
-    const std::size_t count = mesh_.elements.size(), size = mesh_.connectivity.size() + count;
+    if (!mesh_.face_ends.empty()) put_faces_in_cells();
+    const std::vector<Index>& connectivity = own_list_.empty() ? mesh_.connectivity : own_list_;
+    const std::vector<std::int64_t>& ends = own_list_.empty() ? mesh_.ends : own_ends_;
+    const std::size_t count = mesh_.elements.size(), size = connectivity.size() + count;
     file_.write(fmt::format("CELLS {} {}\n", count, size));
-    const auto start = [&](std::size_t c) { return c == 0 ? 0 : mesh_.ends[c - 1]; };
+    const auto start = [&](std::size_t c) { return c == 0 ? 0 : ends[c - 1]; };
     if (binary_) {
       std::vector<std::int32_t> list;
       list.reserve(size);
       for (std::size_t c = 0; c < count; ++c) {
-        list.push_back(static_cast<std::int32_t>(mesh_.ends[c] - start(c)));
-        list.insert(list.end(), mesh_.connectivity.begin() + start(c),
-                    mesh_.connectivity.begin() + mesh_.ends[c]);
+        list.push_back(static_cast<std::int32_t>(ends[c] - start(c)));
+        list.insert(list.end(), connectivity.begin() + start(c), connectivity.begin() + ends[c]);
       }
       numbers<std::int32_t>(1, list.size(), [&](std::size_t i) { return list[i]; });
     } else {
       std::int64_t most = 0;
-      for (std::size_t c = 0; c < count; ++c) most = std::max(most, mesh_.ends[c] - start(c));
+      for (std::size_t c = 0; c < count; ++c) most = std::max(most, ends[c] - start(c));
       write_items(file_, count, (static_cast<std::size_t>(most) + 1) * (longest_integer + 1),
                   [&](std::size_t c, char* to) {
-                    to = put(to, mesh_.ends[c] - start(c));
-                    for (std::int64_t k = start(c); k < mesh_.ends[c]; ++k)
-                      to = put(put(to, ' '), std::int64_t{mesh_.connectivity[static_cast<std::size_t>(k)]});
+                    to = put(to, ends[c] - start(c));
+                    for (std::int64_t k = start(c); k < ends[c]; ++k)
+                      to = put(put(to, ' '), std::int64_t{connectivity[static_cast<std::size_t>(k)]});
                     return put(to, '\n');
                   });
     }
     file_.write(fmt::format("CELL_TYPES {}\n", count));
     numbers<std::int32_t>(1, count, [&](std::size_t i) { return std::int32_t{mesh_.types[i]}; });
+  }
+
+  // In a legacy file the faces of a polyhedron stand in place of its points.
+  void put_faces_in_cells() {
+    std::int64_t start = 0, of_faces = 0;
+    for (std::size_t c = 0; c < mesh_.ends.size(); ++c) {
+      if (mesh_.face_ends[c] >= 0) {
+        for (std::int64_t k = of_faces; k < mesh_.face_ends[c]; ++k)
+          own_list_.push_back(static_cast<Index>(mesh_.faces[static_cast<std::size_t>(k)]));
+        of_faces = mesh_.face_ends[c];
+      } else {
+        own_list_.insert(own_list_.end(), mesh_.connectivity.begin() + start,
+                         mesh_.connectivity.begin() + mesh_.ends[c]);
+      }
+      start = mesh_.ends[c];
+      own_ends_.push_back(static_cast<std::int64_t>(own_list_.size()));
+    }
   }
 
   static bool all_int(const VtkArray& array) {
@@ -87,10 +108,34 @@ class Writer {
       body(arrays[0], type);
       --fields;
     }
-    if (fields == 0) return;
-    file_.write(fmt::format("FIELD FieldData {}\n", fields));
+    std::vector<const VtkArray*> in_field;
+    bool any_role = false;
+    std::set<std::string_view> given;  // VTK takes the first of a role
     for (std::size_t a = arrays.size() - fields; a < arrays.size(); ++a)
-      array(arrays[a], arrays[a].type == "Int64" && all_int(arrays[a]) ? "Int32" : arrays[a].type);
+      if (arrays[a].attribute.empty() || !given.insert(arrays[a].roles[0]).second) {
+        in_field.push_back(&arrays[a]);
+      } else {
+        attribute(arrays[a]);
+        any_role = true;
+      }
+    // Without a FIELD, an attribute could as well be just how the array is written.
+    if (in_field.empty() && !any_role) return;
+    file_.write(fmt::format("FIELD FieldData {}\n", in_field.size()));
+    for (const VtkArray* each : in_field) array(*each, type_of(*each));
+  }
+
+  static std::string type_of(const VtkArray& array) {
+    return array.type == "Int64" && all_int(array) ? "Int32" : array.type;
+  }
+
+  void attribute(const VtkArray& array) {
+    const std::string type = type_of(array);
+    file_.write(fmt::format("{} {}", array.attribute, vtk_encoded(array.name)));
+    if (array.attribute == "TEXTURE_COORDINATES") file_.write(fmt::format(" {}", array.components));
+    file_.write(fmt::format(" {}", vtk_word_of_type(type)));
+    if (array.attribute == "SCALARS") file_.write(fmt::format(" {}\nLOOKUP_TABLE default", array.components));
+    file_.write("\n");
+    body(array, type);
   }
 
   void array(const VtkArray& array, const std::string& type) {
@@ -163,6 +208,8 @@ class Writer {
   const Document& document_;
   const VtkMesh& mesh_;
   const bool binary_;
+  std::vector<Index> own_list_;  // the cells, where polyhedra are among them
+  std::vector<std::int64_t> own_ends_;
 };
 
 class LegacyPlan : public VtkFilePlan {

@@ -3,7 +3,6 @@
 #include "io/vtk/vtu_data.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/words.hpp"
 #include "io/vtk/vtk_types.hpp"
+#include "io/vtk/vtu_unpack.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -155,8 +155,8 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
   std::vector<std::uint64_t> sizes(blocks);
   for (std::uint64_t& size : sizes) size = source.number("a compressed block's size");
   const std::uint64_t last = partial == 0 ? full : partial;
-  // zlib makes nothing smaller than 1/1032 of its size.
-  constexpr std::uint64_t ratio = 1032, slack = 64;
+  const std::uint64_t ratio = most_times_larger(file.packing);
+  constexpr std::uint64_t slack = 64;
   for (std::uint64_t b = 0; b < blocks; ++b)
     if ((b + 1 < blocks ? full : last) / ratio > sizes[b] + slack || sizes[b] > file.bytes.size())
       source.fail(fmt::format("expected the size of a compressed block of {}, found {}",
@@ -164,15 +164,11 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
   check_size(source, (blocks - 1) * full + last, count, column);
   std::string block;
   for (std::uint64_t b = 0; b < blocks; ++b) {
-    block.resize(b + 1 < blocks ? full : last);
-    const std::string_view packed = source.take(sizes[b], "a compressed block");
-    auto got = static_cast<uLongf>(block.size());
-    const int state =
-        ::uncompress(reinterpret_cast<Bytef*>(block.data()), &got,
-                     reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size()));
-    if (state != Z_OK || got != block.size())
-      source.fail(fmt::format("expected {} compressed by zlib, found {}", counted(block.size(), "bytes"),
-                              state == Z_OK ? fmt::format("{}", got) : "other data"));
+    const std::uint64_t size = b + 1 < blocks ? full : last;
+    const std::string found = unpack(file.packing, source.take(sizes[b], "a compressed block"), size, block);
+    if (!found.empty())
+      source.fail(fmt::format("expected {} compressed by {}, found {}", counted(size, "bytes"),
+                              name_of(file.packing), found));
     sink.put(block);
   }
 }
@@ -196,7 +192,8 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
       column.integers.push_back(static_cast<std::int64_t>(value));
     } else if (column.type == "String") {
       const std::int64_t c = in.integer("the code of a character");
-      if (c < 0 || c > 255) in.fail_in_line(fmt::format("expected the code of a character, found {}", c));
+      // VTK writes bytes of 128 and more as negative numbers.
+      if (c < -128 || c > 255) in.fail_in_line(fmt::format("expected the code of a character, found {}", c));
       if (c == 0)
         column.texts.push_back(std::move(text)), text.clear();
       else
@@ -221,7 +218,7 @@ std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
   Source source(encoding, place);
   Sink sink(encoding, column);
   if (source.empty() && (!count || *count == 0)) return 0;
-  if (encoding.compressed) {
+  if (encoding.packing != VtuPacking::none) {
     read_compressed(encoding, source, count, sink, column);
   } else {
     const std::uint64_t size = source.number("an array's size");

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "io/document.hpp"
+#include "io/vtk/vtu_unpack.hpp"
 
 namespace tetproof::io {
 
@@ -19,8 +20,8 @@ struct VtuEncoding {
   const std::string& path;
   std::string_view bytes;  ///< the whole file
   std::endian order = std::endian::native;
-  int header_size = 4;      ///< bytes of each number in front of binary data
-  bool compressed = false;  ///< with zlib
+  int header_size = 4;  ///< bytes of each number in front of binary data
+  VtuPacking packing = VtuPacking::none;
 };
 
 /// The place of an array's numbers: bytes `begin` to `end` of the file.

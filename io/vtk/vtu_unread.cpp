@@ -12,15 +12,10 @@
 
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_information.hpp"
-#include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_words.hpp"
 
 namespace tetproof::io {
 namespace {
-
-// The roles that an array can have in the attributes of points or cells.
-constexpr std::string_view roles[] = {"Scalars",  "Vectors",    "Tensors",         "Normals",
-                                      "TCoords",  "GlobalIds",  "PedigreeIds",     "EdgeFlag",
-                                      "Tangents", "ProcessIds", "RationalWeights", "HigherOrderDegrees"};
 
 // What the reader takes of an element, or anybody can compute, as the range of an array.
 struct Taken {
@@ -30,15 +25,27 @@ struct Taken {
 const Taken taken[] = {
     {"VTKFile",
      {"type", "version", "byte_order", "header_type", "compressor"},
-     {"UnstructuredGrid", "AppendedData"}},
+     {"UnstructuredGrid", "PolyData", "ImageData", "RectilinearGrid", "StructuredGrid", "AppendedData"}},
     {"AppendedData", {"encoding"}, {}},
     {"UnstructuredGrid", {}, {"FieldData", "Piece"}},
+    {"PolyData", {}, {"FieldData", "Piece"}},
+    {"ImageData", {"WholeExtent", "Origin", "Spacing", "Direction"}, {"FieldData", "Piece"}},
+    {"RectilinearGrid", {"WholeExtent"}, {"FieldData", "Piece"}},
+    {"StructuredGrid", {"WholeExtent"}, {"FieldData", "Piece"}},
     {"FieldData", {}, {"array"}},
-    {"Piece", {"NumberOfPoints", "NumberOfCells"}, {"PointData", "CellData", "Points", "Cells"}},
+    {"Piece",
+     {"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys",
+      "Extent"},
+     {"PointData", "CellData", "Points", "Cells", "Verts", "Lines", "Strips", "Polys", "Coordinates"}},
     {"PointData", {}, {"array"}},
     {"CellData", {}, {"array"}},
     {"Points", {}, {"array"}},
+    {"Coordinates", {}, {"array"}},
     {"Cells", {}, {"array"}},
+    {"Verts", {}, {"array"}},
+    {"Lines", {}, {"array"}},
+    {"Strips", {}, {"array"}},
+    {"Polys", {}, {"array"}},
     {"array",
      {"type", "Name", "NumberOfComponents", "NumberOfTuples", "format", "offset", "RangeMin", "RangeMax",
       "IdType"},
@@ -46,6 +53,14 @@ const Taken taken[] = {
 
 bool has(const auto& names, std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+// The arrays that only <Cells> has.
+constexpr std::string_view of_cells[] = {"types", "faces", "faceoffsets"};
+
+bool is_list_of_cells(std::string_view element) {
+  constexpr std::string_view lists[] = {"Cells", "Verts", "Lines", "Strips", "Polys"};
+  return has(lists, element);
 }
 
 std::string_view kind_of(const pugi::xml_node& node) {
@@ -56,6 +71,16 @@ std::string_view kind_of(const pugi::xml_node& node) {
 std::string start_of(std::string_view value) {
   constexpr std::size_t most = 40;
   return fmt::format("{}{}", value.substr(0, most), value.size() > most ? "..." : "");
+}
+
+// Which of the children that a piece can have belong to it, by the kind of its grid.
+bool belongs(const pugi::xml_node& piece, const pugi::xml_node& child) {
+  const std::string_view grid = piece.parent().name(), name = child.name();
+  if (name == "PointData" || name == "CellData") return true;
+  if (name == "Points") return grid != "ImageData" && grid != "RectilinearGrid";
+  if (name == "Cells") return grid == "UnstructuredGrid";
+  if (name == "Coordinates") return grid == "RectilinearGrid";
+  return grid == "PolyData";
 }
 
 class Lister {
@@ -72,7 +97,7 @@ class Lister {
     for (const pugi::xml_node child : node.children()) {
       if (child.type() == pugi::node_pcdata)
         text(node);
-      else if (!has(known.children, kind_of(child)))
+      else if (!has(known.children, kind_of(child)) || (kind == "Piece" && !belongs(node, child)))
         add(fmt::format("element <{}> in <{}>", child.name(), node.name()), child);
       else if (kind_of(child) == "InformationKey")
         add_vtk_information(dropped_, node.attribute("Name").value(), child.attribute("name").value());
@@ -92,12 +117,9 @@ class Lister {
   void attribute(const pugi::xml_node& node, const Taken& known, const pugi::xml_attribute& attribute) {
     const std::string_view name = attribute.name();
     const bool of_data = known.element == "PointData" || known.element == "CellData";
-    if (has(known.attributes, name) || (of_data && has(roles, name) && *attribute.value() == '\0')) return;
-    if (known.element == "CellData" && has(roles, name) && is_array_of_tags(attribute.value()))
-      return;  // it becomes entities or groups, and has no use for a role
-    if (of_data && has(roles, name))
-      add_vtk_role(dropped_, attribute.value(), name);
-    else if (known.element == "array" && name.starts_with("ComponentName"))
+    // Roles become those of values, or are listed where these are made.
+    if (has(known.attributes, name) || (of_data && is_vtk_role(name))) return;
+    if (known.element == "array" && name.starts_with("ComponentName"))
       add_vtk_component_name(dropped_, node.attribute("Name").value(), attribute.value());
     else
       add(fmt::format("attribute {} of <{}>", name, node.name()), node,
@@ -113,14 +135,16 @@ class Lister {
   // Whether the reader takes this child. It takes the first of a kind where there is room for one.
   bool takes(const pugi::xml_node& node, const pugi::xml_node& child, std::set<std::string>& seen) {
     const std::string_view kind = kind_of(node), name = child.name();
-    if (kind == "Cells") {
+    if (is_list_of_cells(kind)) {
       const std::string array = child.attribute("Name").value();
       const bool first = seen.insert(array).second;
-      if (first && (array == "connectivity" || array == "offsets" || array == "types")) return true;
-      add(fmt::format("array \"{}\" of <Cells>", array), child);
+      const bool of_any = array == "connectivity" || array == "offsets";
+      if (first && (of_any || (kind == "Cells" && has(of_cells, array)))) return true;
+      add(fmt::format("array \"{}\" of <{}>", array, kind), child);
       return false;
     }
-    const bool one_of_a_kind = kind == "VTKFile" || kind == "Points" || name == "Points" || name == "Cells";
+    const bool one_of_a_kind = kind == "VTKFile" || kind == "Points" || name == "Points" ||
+                               name == "Coordinates" || is_list_of_cells(name);
     if (!one_of_a_kind || seen.insert(std::string(kind_of(child))).second) return true;
     add(kind == "Points" ? fmt::format("array \"{}\" of <Points>", child.attribute("Name").value())
                          : fmt::format("a further <{}>", name),

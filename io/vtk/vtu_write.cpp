@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <span>
 #include <string>
 
@@ -15,6 +16,7 @@
 #include "io/vtk/vtk_file_plan.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtk_types.hpp"
+#include "io/vtk/vtk_words.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_data.hpp"
 
@@ -59,6 +61,12 @@ class Writer {
                           [&](std::size_t i) { return mesh_.ends[i]; });
     numbers<unsigned char>("types", "UInt8", 1, false, mesh_.types.size(),
                            [&](std::size_t i) { return mesh_.types[i]; });
+    if (!mesh_.face_ends.empty()) {
+      numbers<std::int64_t>("faces", "Int64", 1, false, mesh_.faces.size(),
+                            [&](std::size_t i) { return mesh_.faces[i]; });
+      numbers<std::int64_t>("faceoffsets", "Int64", 1, false, mesh_.face_ends.size(),
+                            [&](std::size_t i) { return mesh_.face_ends[i]; });
+    }
     file_.write("</Cells>\n");
     data("PointData", mesh_.point_data);
     data("CellData", mesh_.cell_data);
@@ -67,7 +75,13 @@ class Writer {
 
  private:
   void data(const char* tag, const std::vector<VtkArray>& arrays) {
-    file_.write(fmt::format("<{}>\n", tag));
+    std::string opening = fmt::format("<{}", tag);
+    std::set<std::string> given;
+    for (const VtkArray& array : arrays)
+      for (const std::string& role : array.roles)
+        if (is_vtk_role(role) && given.insert(role).second)
+          opening += fmt::format(" {}=\"{}\"", role, xml_escaped(array.name));
+    file_.write(opening + ">\n");
     for (const VtkArray& array : arrays) {
       const bool counted = &arrays == &mesh_.field_data;
       if (array.type == "String") {

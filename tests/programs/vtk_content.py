@@ -66,13 +66,13 @@ def written_by_vtk(folder):
     grid = grid_of_everything()
     expected = (cells(grid), *(arrays(d) for d in (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData())))
     files = []
-    for mode, packed, order, header in itertools.product(("Ascii", "Binary", "Appended", "Raw"), (False, True),
+    for mode, packed, order, header in itertools.product(("Ascii", "Binary", "Appended", "Raw"), ("None", "ZLib", "LZ4", "LZMA"),
                                                           ("Little", "Big"), (32, 64)):
         writer = vtk.vtkXMLUnstructuredGridWriter()
-        files.append(folder / f"{mode}-{'zlib' if packed else 'plain'}-{order}-{header}.vtu")
+        files.append(folder / f"{mode}-{packed}-{order}-{header}.vtu")
         {"Ascii": writer.SetDataModeToAscii, "Binary": writer.SetDataModeToBinary}.get(mode, writer.SetDataModeToAppended)()
         writer.SetEncodeAppendedData(mode == "Appended")
-        writer.SetCompressorTypeToZLib() if packed else writer.SetCompressorTypeToNone()
+        getattr(writer, f"SetCompressorTypeTo{packed}")()
         writer.SetBlockSize(64)
         getattr(writer, f"SetByteOrderTo{order}Endian")()
         getattr(writer, f"SetHeaderTypeToUInt{header}")()

@@ -15,6 +15,7 @@ try:
     import vtk_common
     from node_orders import faces_look_outwards, orders_of_nodes
     from vtk_content import written_by_vtk
+    from vtk_kinds import kinds_of_data
 except ImportError as missing:  # of vtk, meshio or numpy
     print(f"skipped: {missing}")
     sys.exit(77)
@@ -30,5 +31,6 @@ if __name__ == "__main__":
         written_by_vtk(pathlib.Path(name))
         faces_look_outwards(pathlib.Path(name))
         orders_of_nodes(pathlib.Path(name))
+        kinds_of_data(pathlib.Path(name))
     print(f"{len(vtk_common.failures)} failures")
     sys.exit(1 if vtk_common.failures else 0)

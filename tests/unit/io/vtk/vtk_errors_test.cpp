@@ -29,8 +29,31 @@ INSTANTIATE_TEST_SUITE_P(
     ByHand, VtkErrors,
     testing::Values(
         RefusedFile{"NoHead", "a.vtk", "vtk", "a.vtk:1: expected # vtk DataFile Version, found 'vtk'"},
-        RefusedFile{"Structured", "a.vtk", "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\n",
-                    "a.vtk:4: expected UNSTRUCTURED_GRID or POLYDATA, found 'STRUCTURED_POINTS'"},
+        RefusedFile{"OtherDataSet", "a.vtk", "# vtk DataFile Version 2.0\n\nASCII\nDATASET TABLE\n",
+                    "a.vtk:4: expected UNSTRUCTURED_GRID, POLYDATA, STRUCTURED_POINTS, STRUCTURED_GRID or "
+                    "RECTILINEAR_GRID, found 'TABLE'"},
+        RefusedFile{
+            "MorePointsThanTheFileHasDataFor", "a.vtk",
+            "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 9999 9999 9999\n",
+            "a.vtk:6: 9999 x 9999 x 9999 points are more than a file of 86 bytes can have data for"},
+        RefusedFile{"NegativeDimension", "a.vtk",
+                    "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 -1 2\n",
+                    "a.vtk:6: 2 x -1 x 2 points are more than a file of 78 bytes can have data for"},
+        RefusedFile{"PointsOfAStructuredGrid", "a.vtk",
+                    "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 1 1\n"
+                    "POINTS 1 int\n0 0 0\n",
+                    "a.vtk:8: expected 2 x 1 x 1 points, found 1"},
+        RefusedFile{"CoordinatesOfARectilinearGrid", "a.vtk",
+                    "# vtk DataFile Version 2.0\n\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 2 1 1\n"
+                    "X_COORDINATES 2 int\n0 1\nY_COORDINATES 1 int\n0\n",
+                    "a.vtk:10: expected 1 Z_COORDINATES, found 0"},
+        RefusedFile{"FaceOfAPolyhedron", "a.vtk", points + "CELLS 1 5\n4 2 1 0 9\nCELL_TYPES 1\n42\n",
+                    "a.vtk: cell 0: expected 2 faces of a polyhedron, found 1 in 4 numbers"},
+        RefusedFile{"NumbersBehindThePolyhedron", "a.vtk",
+                    points + "CELLS 1 5\n4 1 1 0 9\nCELL_TYPES 1\n42\n",
+                    "a.vtk: cell 0: expected the faces of a polyhedron in 4 numbers, found 3 numbers"},
+        RefusedFile{"TypesOfOtherCells", "a.vtk", points + "CELL_TYPES 2\n1 1\nCELLS 1 2\n1 0\n",
+                    "a.vtk:11: expected the types of 1 cell, found 2"},
         RefusedFile{"TooManyPoints", "a.vtk", head + "POINTS 99 float\n1 2 3\n",
                     "a.vtk:5: expected the number of points, found 99, more than the 13 bytes left can hold"},
         RefusedFile{"NoPoints", "a.vtk", head + "CELLS 1 2\n1 0\nCELL_TYPES 1\n1\n",
@@ -47,13 +70,26 @@ INSTANTIATE_TEST_SUITE_P(
                     "a.vtk:8: expected 99999 times 3 values, more than the 3 bytes left can hold"},
         RefusedFile{"NoXml", "a.vtu", "<VTKFile",
                     "a.vtu:1: expected the end of a tag, found the end of the file"},
-        RefusedFile{"OtherType", "a.vtu", "<VTKFile type=\"PolyData\"></VTKFile>",
-                    "a.vtu:1: expected VTK's type UnstructuredGrid, found 'PolyData'"},
+        RefusedFile{"OtherType", "a.vtu", "<VTKFile type=\"Table\"></VTKFile>",
+                    "a.vtu:1: expected VTK's type UnstructuredGrid, PolyData, ImageData, RectilinearGrid or "
+                    "StructuredGrid, found 'Table'"},
+        RefusedFile{
+            "MorePointsThanTheFileHasDataForInXml", "a.vti",
+            "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 9999 0 9999 0 9999\">\n<Piece/>"
+            "</ImageData></VTKFile>",
+            "a.vti:3: 10000 x 10000 x 10000 points are more than a file of 104 bytes can have data for"},
+        RefusedFile{
+            "OffsetsOfPolyData", "a.vtp",
+            "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"1\" NumberOfVerts=\"1\">"
+            "<Points><DataArray type=\"Int8\" NumberOfComponents=\"3\">1 2 3</DataArray></Points>\n<Verts>"
+            "<DataArray type=\"Int8\" Name=\"connectivity\">0</DataArray><DataArray type=\"Int8\" "
+            "Name=\"offsets\">2</DataArray></Verts></Piece></PolyData></VTKFile>",
+            "a.vtp:3: expected 1 as the last offset, found 2"},
         RefusedFile{"TagsCross", "a.vtu", "<VTKFile type=\"UnstructuredGrid\">\n<a></b>\n</VTKFile>",
                     "a.vtu:2: expected XML: Start-end tags mismatch"},
-        RefusedFile{
-            "NotZlib", "a.vtu", vtu("", "compressor=\"vtkLZ4DataCompressor\""),
-            "a.vtu:3: data compressed by vtkLZ4DataCompressor, expected vtkZLibDataCompressor or none"},
+        RefusedFile{"OtherCompressor", "a.vtu", vtu("", "compressor=\"vtkMineDataCompressor\""),
+                    "a.vtu:3: data compressed by vtkMineDataCompressor, expected vtkZLibDataCompressor, "
+                    "vtkLZ4DataCompressor, vtkLZMADataCompressor or none"},
         RefusedFile{"NoPiece", "a.vtu", vtu(""), "a.vtu:4: expected <Piece>"},
         RefusedFile{
             "ValuesMissing", "a.vtu",

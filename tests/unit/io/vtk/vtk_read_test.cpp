@@ -58,8 +58,8 @@ TEST(VtkFiles, LegacyText) {
 
 TEST(VtkFiles, LegacyPolygonalData) {
   const test::TestFiles files;
-  // A strip, a line of two segments, two vertices in one cell, a pentagon. Cell data are in the order of the
-  // kinds, not in the file's order.
+  // A strip, a polyline of two segments, two vertices in one cell, a pentagon. Cell data are in the order of
+  // the kinds, not in the file's order.
   EXPECT_EQ(
       read_text(files, "a.vtk",
                 "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
@@ -67,8 +67,8 @@ TEST(VtkFiles, LegacyPolygonalData) {
                 "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\nLINES 1 4\n3 0 1 2\nVERTICES 1 3\n2 3 4\n"
                 "POLYGONS 1 6\n5 0 1 2 3 4\nCELL_DATA 4\nSCALARS group int\nLOOKUP_TABLE default\n1 2 3 4\n"),
       four_points +
-          "n 4 1 1 1\ne 0 15 0/0 g1 p: 3\ne 1 15 0/0 g1 p: 4\ne 2 1 1/0 g2 p: 0 1\ne 3 1 1/0 g2 p: 1 2\n"
-          "e 4 34 2/0 g3 p: 0 1 2 3 4\ne 5 2 2/0 g4 p: 0 1 2\ne 6 2 2/0 g4 p: 2 1 3\n");
+          "n 4 1 1 1\ne 0 15 0/0 g1 p: 3\ne 1 15 0/0 g1 p: 4\ne 2 1000 1/0 g2 p: 0 1 2\n"
+          "e 3 34 2/0 g3 p: 0 1 2 3 4\ne 4 2 2/0 g4 p: 0 1 2\ne 5 2 2/0 g4 p: 2 1 3\n");
 }
 
 TEST(VtkFiles, Version51InBinary) {
