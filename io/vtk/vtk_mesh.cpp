@@ -81,6 +81,7 @@ class Maker {
     VtkArray array{.name = name, .components = values.components, .roles = values.roles};
     if (has_vtk_role(values, written && has_entities_))
       array.attribute = vtk_word_of_role(values.roles[0], values.components);
+    if (are_texts(document_, values, items)) return add_texts(to, std::move(array), values, written);
     const bool whole = covers(values, items) && (!written || written->size() == items);
     const auto take = [&](const auto& from, auto& own, auto& span, auto filler) {
       if (whole) {
@@ -110,6 +111,21 @@ class Maker {
     else
       take(values.integers, mesh_.own_integers, array.integers, std::int64_t{0});
     if (!values.integers.empty()) array.type = "Int64";
+    to.push_back(std::move(array));
+  }
+
+  void add_texts(std::vector<VtkArray>& to, VtkArray&& array, const Values& values,
+                 const std::vector<std::size_t>* written) {
+    std::vector<std::string>& texts = mesh_.own_texts.emplace_back();
+    const auto each = static_cast<std::size_t>(values.components);
+    const std::size_t count = written ? written->size() : values.integers.size() / each;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < each; ++k)
+        texts.push_back(
+            values
+                .labels[static_cast<std::size_t>(values.integers[(written ? (*written)[i] : i) * each + k])]);
+    array.type = "String";
+    array.texts = texts;
     to.push_back(std::move(array));
   }
 

@@ -35,6 +35,7 @@ struct VtkMesh {
   std::vector<VtkArray> point_data, cell_data, field_data;
   std::deque<std::vector<double>> own_reals;  ///< the numbers of arrays that differ from the document's
   std::deque<std::vector<std::int64_t>> own_integers;
+  std::deque<std::vector<std::string>> own_texts;
 };
 
 /// Refers to the document. Values that not all nodes or elements have are filled up: NaN, 0. Elements that

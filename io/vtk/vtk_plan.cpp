@@ -60,11 +60,14 @@ bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
 
+bool is_of_vtk(const Document& document) {
+  return document.format == "vtk" || document.format == "vtu";
+}
+
 // Whether an array of entities is needed. The tag 0 is none. The tag 1 is what readers of other formats give
 // to elements that have no other; in VTK's files it is in an array, which is kept.
 bool has_entities(const Document& document) {
-  const bool of_vtk = document.format == "vtk" || document.format == "vtu";
-  return !all_of_blocks(document, [&](const ElementBlock& block) {
+  return !all_of_blocks(document, [of_vtk = is_of_vtk(document)](const ElementBlock& block) {
     return block.entity == 0 || (block.entity == 1 && !of_vtk);
   });
 }
@@ -140,9 +143,11 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     if (held) held->name = names.at(&values);
     return held;
   };
-  holds.values = [numbers = holds.numbers](const Values& values, Of of) {
+  holds.values = [numbers = holds.numbers, &document](const Values& values, Of of) {
     const auto held = numbers(values, of);
-    return held && held->gaps == 0 && held->name == values.name && values.labels.empty() && !has_step(values);
+    const std::size_t items = of == Of::node ? document.points.size() : document.elements();
+    return held && held->gaps == 0 && held->name == values.name && !has_step(values) &&
+           (values.labels.empty() || are_texts(document, values, items));
   };
   std::set<const Table*> tables;
   for (const auto& [of, in, name] : plan.fields) {
@@ -161,6 +166,20 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
 
 std::string vtk_group_array(std::size_t k) {
   return k == 0 ? "group" : fmt::format("group {}", k + 1);
+}
+
+bool are_texts(const Document& document, const Values& values, std::size_t items) {
+  if (values.labels.empty() || !is_of_vtk(document) || !covers(values, items) ||
+      !are_vtu_strings(values.labels))
+    return false;
+  std::int64_t next = 0;  // the reader numbers texts as they come up
+  for (const std::int64_t label : values.integers) {
+    if (label < 0 || label > next) return false;
+    next += label == next;
+  }
+  const std::set<std::string_view> different(values.labels.begin(), values.labels.end());
+  return values.reals.empty() && static_cast<std::size_t>(next) == values.labels.size() &&
+         different.size() == values.labels.size();
 }
 
 bool has_vtk_role(const Values& values, bool beside_entities) {

@@ -35,6 +35,10 @@ std::string vtk_group_array(std::size_t k);
 /// Whether there is one value for each of `items` nodes or elements, in their order.
 bool covers(const Values& values, std::size_t items);
 
+/// Whether values are written as the texts that their labels are. So are those that came from such a file and
+/// that come back with the same labels; not those of other formats, since few programs read texts.
+bool are_texts(const Document& document, const Values& values, std::size_t items);
+
 /// Whether a legacy file gives the values the first of their roles, which makes them an attribute instead of
 /// an array in a FIELD. `beside_entities`: behind the array of entities.
 bool has_vtk_role(const Values& values, bool beside_entities);

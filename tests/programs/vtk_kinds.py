@@ -32,7 +32,7 @@ def write_xml(data, path, mode="Appended", packed="LZ4"):
 def write_legacy(data, path, version, binary):
     kind = {"vtkImageData": "vtkStructuredPoints"}.get(data.GetClassName(), data.GetClassName())
     writer = getattr(vtk, kind + "Writer")()
-    writer.SetFileVersion(version), writer.SetFileType(2 if binary else 1)
+    writer.SetHeader(""), writer.SetFileVersion(version), writer.SetFileType(2 if binary else 1)
     writer.SetInputData(data), writer.SetFileName(str(path)), writer.Write()
 
 
@@ -185,7 +185,7 @@ def gmsh_orders(folder):
         "Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};Line(4)={1,4};Line(5)={2,4};Line(6)={3,4};"
         "Curve Loop(1)={1,2,3};Curve Loop(2)={1,5,-4};Curve Loop(3)={2,6,-5};Curve Loop(4)={3,4,-6};"
         "Plane Surface(1)={1};Plane Surface(2)={2};Plane Surface(3)={3};Plane Surface(4)={4};"
-        "Surface Loop(1)={1,2,3,4};Volume(1)={1};")
+        "Surface Loop(1)={1,2,3,4};Volume(1)={1};\n")
     for order in range(2, 11):
         subprocess.run([GMSH, "-3", "-v", "0", "-order", str(order), folder / "tet.geo", "-o", folder / "tet.msh"], timeout=120)
         for out in ("tet.vtu", "tet.vtk"):

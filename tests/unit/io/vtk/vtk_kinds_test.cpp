@@ -271,6 +271,9 @@ TEST(VtkKinds, TextsOfSignedCharacters) {
       "a.vtu", vtu(piece("<CellData><Array type=\"String\" Name=\"m\">-61 -92 0</Array></CellData>"))));
   ASSERT_EQ(document.element_values.size(), 1U);
   EXPECT_EQ(document.element_values[0].labels, std::vector<std::string>{"\xC3\xA4"});
+  expect_back(files, "b.vtu", document);
+  expect_back(files, "b.vtk", document);
+  EXPECT_EQ(read_document(files.path("b.vtk")).element_values[0].labels, document.element_values[0].labels);
 }
 
 // An array of `size` zeros as VTK packs it, in one block that claims `claimed` bytes.
