@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The element types of documents: those of .msh files, with their numbers in Gmsh, and a few that only VTK has.
+// The element types of documents: those of .msh files, with their numbers in Gmsh, and a few that only VTK
+// has.
 #pragma once
 
 #include <cstdint>

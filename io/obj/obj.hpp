@@ -12,8 +12,8 @@
 namespace tetproof::io {
 
 /// Reads Wavefront's OBJ. Faces are `f` with corners i, i/t, i//n or i/t/n. Numbers are positive or negative,
-/// and may name points that come later. `l` has a line from each point to the next. `p` lists points. A
-/// backslash at the end of a line continues the statement.
+/// and may name points that come later. `l` is a line, or a polyline if it has more than two points. `p`
+/// lists points. A backslash at the end of a line continues the statement.
 ///  - `g`: physical groups. A whole number is the group with this number. Names get the numbers 1, 2, ...
 ///    that are not taken, in the order in which elements first use them; a comment `# group 5 wing` gives a
 ///    name another number. %20 stands for a blank, and so on; `default` is a name like any other.
@@ -27,10 +27,10 @@ namespace tetproof::io {
 /// that no face uses. Throws InputError, also for a file without any statement of OBJ.
 ReadDocument read_obj(const InputFile& file, Wanted wanted);
 
-/// Plans OBJ as text, with exact numbers. It holds all points; points, lines and faces by their corners,
-/// except those that name nodes which do not exist; and everything else that the reader reads. A group
-/// without a name is `g NUMBER`. Comments give the numbers of named groups that would otherwise get another
-/// number.
+/// Plans OBJ as text, with exact numbers. It holds all points; points, lines, polylines and faces by their
+/// corners, except those that name nodes which do not exist; and everything else that the reader reads. A
+/// group without a name is `g NUMBER`. Comments give the numbers of named groups that would otherwise get
+/// another number.
 std::unique_ptr<FilePlan> plan_obj(const Document& document, bool binary);
 
 }  // namespace tetproof::io

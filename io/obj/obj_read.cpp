@@ -88,17 +88,15 @@ class Reader {
     return slashes;
   }
 
-  void add(std::span<const Index> nodes, std::size_t place) {
+  void add(std::span<const Index> nodes, std::size_t place, bool is_line = false) {
     Document& document = source_.document;
     const std::size_t element = document.elements();
     if (surface_)
       source_.places.push_back(place);
     else
       for (ObjState* state : {&object_, &material_, &smoothing_}) state->add_element(element);
-    io::add_element(document, nodes,
-                    names_.of(type_of_corners(nodes.size()) == 15 ? 0
-                              : nodes.size() == 2                 ? 1
-                                                                  : 2));
+    const std::int32_t groups = names_.of(nodes.size() == 1 ? 0 : nodes.size() == 2 || is_line ? 1 : 2);
+    is_line ? io::add_line(document, nodes, groups) : io::add_element(document, nodes, groups);
   }
 
   void read_face(Scanner& scanner, std::size_t place, NodeIndex& nodes) {
@@ -117,13 +115,14 @@ class Reader {
     add(corners_, place);
   }
 
-  // Lines from each point to the next, or points.
+  // A line or polyline, or points.
   void read_thin(Scanner& scanner, std::size_t place, NodeIndex& nodes, std::size_t corners_each) {
     const bool slashes = read_corners(scanner, nodes);
     if (corners_.size() < corners_each)
       scanner.fail_in_line(
           fmt::format("expected at least {}, found {}", counted(corners_each, "vertices"), corners_.size()));
     if (slashes) drop("texture coordinates and normals of lines and points", 1, place);
+    if (corners_each == 2) return add(corners_, place, true);
     const std::vector<Index> all = corners_;
     for (std::size_t i = 0; i + corners_each <= all.size(); ++i)
       add(std::span(all).subspan(i, corners_each), place);

@@ -149,14 +149,14 @@ class Writer {
         }
         if (run.empty()) continue;
         say_state(block, first);
-        write_run(run);
+        write_run(run, block.dim < 2);
       }
     }
   }
 
-  void write_run(const std::vector<KeptElement>& run) {
+  void write_run(const std::vector<KeptElement>& run, bool thin) {
     const int corners = run[0].corners;
-    const std::string_view statement = corners == 1 ? "p" : corners == 2 ? "l" : "f";
+    const std::string_view statement = corners == 1 ? "p" : corners == 2 || thin ? "l" : "f";
     write_items(file_, run.size(), 3 + static_cast<std::size_t>(corners) * 36, [&](std::size_t i, char* to) {
       to = put(to, statement);
       const auto row = [&](const CornerRows& rows, int k) -> std::int64_t {

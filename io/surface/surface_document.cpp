@@ -22,21 +22,30 @@ int type_of_corners(std::size_t corners) {
                         : polygon;
 }
 
-void add_element(Document& document, std::span<const Index> nodes, std::int32_t groups) {
-  const int type = type_of_corners(nodes.size());
+namespace {
+
+void add_of_type(Document& document, int type, std::span<const Index> nodes, std::int32_t groups) {
   const auto each = static_cast<std::int32_t>(nodes.size());
   if (document.blocks.empty() || document.blocks.back().type != type ||
       document.blocks.back().nodes_each != each || document.blocks.back().groups != groups)
     document.blocks.push_back({.type = type,
-                               .dim = type == point1  ? 0
-                                      : type == line2 ? 1
-                                                      : 2,
+                               .dim = dimension_of_type(type),
                                .groups = groups,
                                .nodes_each = each,
                                .first = document.elements(),
                                .nodes = document.connectivity.size()});
   ++document.blocks.back().count;
   for (const Index node : nodes) document.connectivity.push_back(node);
+}
+
+}  // namespace
+
+void add_element(Document& document, std::span<const Index> nodes, std::int32_t groups) {
+  add_of_type(document, type_of_corners(nodes.size()), nodes, groups);
+}
+
+void add_line(Document& document, std::span<const Index> nodes, std::int32_t groups) {
+  add_of_type(document, nodes.size() == 2 ? line2 : polyline, nodes, groups);
 }
 
 void check_countable(const std::string& path, std::size_t points) {
@@ -49,6 +58,7 @@ std::string shown_name(std::string_view name) {
 }
 
 int corners_kept(const ElementBlock& block) {
+  if (block.type == polyline) return block.nodes_each;
   if (block.type == polygon) return block.nodes_each >= 3 ? block.nodes_each : 0;
   const ElementType* type = element_type(block.type);
   const bool kept = type && (type->shape == Shape::point || type->shape == Shape::line ||

@@ -20,14 +20,18 @@ int type_of_corners(std::size_t corners);
 /// Adds an element at the end: to the last block if that has the same type, number of nodes and groups.
 void add_element(Document& document, std::span<const Index> nodes, std::int32_t groups = 0);
 
+/// Adds a line, likewise: a polyline if it has more than two nodes.
+void add_line(Document& document, std::span<const Index> nodes, std::int32_t groups = 0);
+
 /// InputError if there are more points than an Index can number.
 void check_countable(const std::string& path, std::size_t points);
 
 /// A name as a message shows it: printable, and cut if it is long.
 std::string shown_name(std::string_view name);
 
-/// The number of nodes of each element of a block that a file of points and polygons keeps: the corners; 0 if
-/// the elements are neither points, lines nor faces.
+/// The number of nodes of each element of a block that a file of points and polygons keeps: the corners, and
+/// all of a polyline; 0 if the elements are neither points, lines nor faces. Formats without polylines are
+/// never given any.
 int corners_kept(const ElementBlock& block);
 
 /// Whether all of an element's first `nodes` nodes exist.

@@ -41,11 +41,9 @@ std::int64_t lattice_cells(const VtkDimensions& dimensions) {
   return cells;
 }
 
-std::int64_t most_lattice_points(std::size_t bytes, std::uint64_t ratio) {
-  constexpr std::uint64_t least = 1 << 20, most = std::numeric_limits<Index>::max();
-  const std::uint64_t bits = bytes > most / (8 * ratio) ? most : bytes * 8 * ratio;
-  // A point may have no data, and each of its eight neighbours, the cells, have some.
-  return static_cast<std::int64_t>(std::clamp(8 * bits, least, most));
+std::int64_t most_lattice_points(std::size_t bytes) {
+  constexpr std::uint64_t least = 1 << 17, most = std::numeric_limits<Index>::max();
+  return static_cast<std::int64_t>(std::clamp<std::uint64_t>(bytes, least, most));
 }
 
 void add_lattice_points(const std::array<std::vector<double>, 3>& axes, VtkPiece& piece) {

@@ -18,9 +18,9 @@ using VtkDimensions = std::array<std::int64_t, 3>;
 std::int64_t lattice_points(const VtkDimensions& dimensions, std::int64_t most);
 std::int64_t lattice_cells(const VtkDimensions& dimensions);
 
-/// The most points that a file of so many bytes can have data for, if these are packed to a `ratio`-th; a
-/// million in any case. A structured grid needs no data, so a small file could ask for any memory.
-std::int64_t most_lattice_points(std::size_t bytes, std::uint64_t ratio = 1);
+/// The most points of a structured grid in a file of so many bytes, if no data tell that there are more. Such
+/// a grid needs no data, so a small file could ask for any memory.
+std::int64_t most_lattice_points(std::size_t bytes);
 
 /// Adds points with these coordinates along the axes.
 void add_lattice_points(const std::array<std::vector<double>, 3>& axes, VtkPiece& piece);

@@ -38,8 +38,8 @@ class Reader {
       if (lists_.empty()) check_types();
       piece_.types.insert(piece_.types.end(), types_.begin(), types_.end());
       piece_.faces_in_cells = true;
+      data_.finish(piece_.points.size(), piece_.types.size());
     }
-    data_.finish(piece_.points.size(), piece_.types.size());
     list_odd_types();
     add_vtk_piece(document_, std::move(piece_), true);
     return std::move(document_);
@@ -66,8 +66,16 @@ class Reader {
     if (name == "point_data" || name == "cell_data") return data_.start(name == "point_data");
     if (dataset_.empty()) in_.fail("DATASET or FIELD", word);
     if (name == "points") return points();
-    if (name == "cells") return in_.cells(piece_.connectivity, piece_.ends);
-    if (name == "cell_types") return cell_types();
+    if (!is_structured() && list_of_cells(name)) return;
+    if (is_structured() && lattice(name)) return;
+    if (!data_.started()) in_.fail("POINTS, CELLS, CELL_TYPES, POINT_DATA or CELL_DATA", word);
+    data_.attribute(name, word);
+  }
+
+  // Reads cells. Returns false for words that announce none.
+  bool list_of_cells(const std::string& name) {
+    if (name == "cells") return in_.cells(piece_.connectivity, piece_.ends), true;
+    if (name == "cell_types") return cell_types(), true;
     if (name == "vertices" || name == "lines" || name == "polygons" || name == "triangle_strips") {
       List list{.type = name == "vertices"   ? vtk_poly_vertex
                         : name == "lines"    ? vtk_poly_line
@@ -75,11 +83,9 @@ class Reader {
                                              : vtk_strip};
       in_.cells(list.connectivity, list.ends);
       lists_.push_back(std::move(list));
-      return;
+      return true;
     }
-    if (is_structured() && lattice(name)) return;
-    if (!data_.started()) in_.fail("POINTS, CELLS, CELL_TYPES, POINT_DATA or CELL_DATA", word);
-    data_.attribute(name, word);
+    return false;
   }
 
   void dataset() {
@@ -124,8 +130,11 @@ class Reader {
   }
 
   void structured() {
-    const std::int64_t points = lattice_points(dimensions_, most_lattice_points(size_));
-    if (points < 0)
+    const std::int64_t points = lattice_points(dimensions_, std::numeric_limits<Index>::max());
+    if (points >= 0)  // the data show that there can be so many points
+      data_.finish(static_cast<std::size_t>(points), static_cast<std::size_t>(lattice_cells(dimensions_)));
+    const bool has_data = !piece_.point_data.empty() || !piece_.cell_data.empty();
+    if (points < 0 || (!has_data && points > most_lattice_points(size_)))
       in_.fail_in_line(fmt::format("{} points are more than a file of {} can have data for",
                                    fmt::join(dimensions_, " x "), counted(size_, "bytes")));
     if (dataset_ == "structured_points") {

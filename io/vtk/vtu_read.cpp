@@ -80,13 +80,17 @@ class Reader {
       const std::size_t points = file_.count(node, "NumberOfPoints");
       this->points(node, points, piece);
       kind_ == Grid::unstructured ? cells(node, piece) : polygons(node, piece);
+      data(node, points, piece.types.size(), piece);
     } else {
       lattice(grid, node, piece);
     }
-    data(node, "PointData", piece.points.size(), piece.point_data, piece.point_roles);
-    data(node, "CellData", piece.types.size(), piece.cell_data, piece.cell_roles);
     const bool whole = piece.which.empty();
     add_vtk_piece(document_, std::move(piece), whole);
+  }
+
+  void data(const pugi::xml_node& node, std::size_t points, std::size_t cells, VtkPiece& piece) {
+    data(node, "PointData", points, piece.point_data, piece.point_roles);
+    data(node, "CellData", cells, piece.cell_data, piece.cell_roles);
   }
 
   void data(const pugi::xml_node& node, const char* name, std::size_t items, std::vector<Column>& to,
@@ -192,10 +196,12 @@ class Reader {
       image.first[k] = first;
       dimensions[k] = last - first + 1;
     }
-    const std::uint64_t ratio =
-        file_.encoding().packing == VtuPacking::none ? 1 : most_times_larger(file_.encoding().packing);
-    const std::int64_t count = lattice_points(dimensions, most_lattice_points(size_, ratio));
-    if (count < 0)
+    const std::int64_t count = lattice_points(dimensions, std::numeric_limits<Index>::max());
+    if (count >= 0)  // the data come first: they show that there can be so many points
+      data(node, static_cast<std::size_t>(count), static_cast<std::size_t>(lattice_cells(dimensions)), piece);
+    const bool has_data = !piece.point_data.empty() || !piece.cell_data.empty();
+    if (count < 0 || (!has_data && static_cast<std::int64_t>(document_.points.size()) + count >
+                                       most_lattice_points(size_)))
       file_.fail(node, fmt::format("{} points are more than a file of {} can have data for",
                                    fmt::join(dimensions, " x "), counted(size_, "bytes")));
     if (kind_ == Grid::structured) {

@@ -102,6 +102,8 @@ std::function<void(const std::string&)> reader_of(const std::string& ending) {
 }
 
 std::vector<Reader> readers() {
+  // Written by VTK 9.1: what tests/programs/vtk_kinds.py writes, smaller.
+  const std::string seeds = "../../tests/parser-fuzz/seeds/";
   return {
       {"Off", "surfaces/cube.off", surface_and_mesh},
       {"Obj", "surfaces/cube.obj", surface_and_mesh},
@@ -128,6 +130,15 @@ std::vector<Reader> readers() {
       {"VtuText", "meshes/cells_text.vtu", mesh},
       {"VtuZlib", "meshes/cells_base64_zlib.vtu", mesh},
       {"VtuRaw", "meshes/cells_raw.vtu", mesh},
+      {"VtkKindsText", seeds + "kinds_text.vtk", mesh},
+      {"VtkKindsBinary", seeds + "kinds_binary.vtk", mesh},
+      {"VtkImage", seeds + "image.vtk", mesh},
+      {"VtkRectilinear", seeds + "rectilinear.vtk", mesh},
+      {"VtuLz4", seeds + "kinds_raw_lz4.vtu", mesh},
+      {"VtuLzma", seeds + "kinds_base64_lzma.vtu", mesh},
+      {"Vtp", seeds + "polygonal.vtp", mesh},
+      {"Vti", seeds + "image.vti", mesh},
+      {"Vtr", seeds + "rectilinear.vtr", mesh},
       {"MeditText", "meshes/two.mesh", mesh},
       {"MeditBinary", "meshes/two.meshb", mesh},
       {"TetgenFaces", "meshes/set.1.face", mesh, {"meshes/set.1.node", "meshes/set.1.ele"}},

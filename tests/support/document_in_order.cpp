@@ -63,6 +63,7 @@ class Checker {
     for (const ElementBlock& block : d_.blocks) {
       expect(block.first == elements_ && block.nodes == connectivity, "a block does not follow the last");
       expect(block.nodes_each > 0, "elements without nodes");
+      faces(block);
       const io::ElementType* type = io::element_type(block.type);
       expect(!type || type->nodes == block.nodes_each,
              "elements with another number of nodes than their type");
@@ -76,6 +77,17 @@ class Checker {
            "not as many element tags as elements");
     for (const Index node : d_.connectivity)
       expect(is_place(node, nodes_), "an element names a position that does not exist");
+  }
+
+  void faces(const ElementBlock& block) const {
+    for (std::size_t at = 0; at < block.faces.size();) {
+      const std::int32_t corners = block.faces[at++];
+      expect(corners >= 0 && static_cast<std::size_t>(corners) <= block.faces.size() - at,
+             "a face of a polyhedron that is cut off");
+      for (const std::size_t end = at + static_cast<std::size_t>(corners); at < end; ++at)
+        expect(block.faces[at] >= 0 && block.faces[at] < block.nodes_each,
+               "a face of a polyhedron with a node that it does not have");
+    }
   }
 
   void entities() const {

@@ -229,7 +229,7 @@ const std::vector<Case> cases{
      "# made by hand\n#\nmtllib a.mtl b.mtl\n" + obj_square +
          "g wing left\nf 1 2 3\ng left 12\nf 1 3 4\ng\nf 2 3 4\ng two%20words\np 1 2\nl 1 2 3\n",
      "title made by hand\n\ngroup 2 1 wing\ngroup 2 2 left\ngroup 0 3 two words\ngroup 1 3 two words\n"
-     "e2 g1 g2: 1 2 3\ne2 g2 g12: 1 3 4\ne2: 2 3 4\ne15 g3: 1\ne15 g3: 2\ne1 g3: 1 2\ne1 g3: 2 3\n"
+     "e2 g1 g2: 1 2 3\ne2 g2 g12: 1 3 4\ne2: 2 3 4\ne15 g3: 1\ne15 g3: 2\ne1000 g3: 1 2 3\n"
      "table mtllib 2\n  file (text) a.mtl|b.mtl []\n"},
     {"ObjNumbersOfGroups", "a.obj",
      obj_square + "# group 9 tip\n# group -4 root\ng root\nf 1 2 3\ng tip\nf 1 3 4\n",
