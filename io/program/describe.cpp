@@ -67,8 +67,17 @@ std::pair<std::int64_t, std::int64_t> range(const std::vector<std::int64_t>& tag
 }
 
 std::string shape_of(int type) {
+  if (type == io::polyhedron) return "polyhedron";
+  if (type == io::polyline) return "polyline";
   const io::ElementType* known = io::element_type(type);
+  if (known && io::is_bezier(type))
+    return known->dim == 1 ? "Bezier curve" : known->dim == 2 ? "Bezier triangle" : "Bezier tetrahedron";
   return known && known->shape != io::Shape::other ? io::singular(io::name_of_elements(type)) : "other";
+}
+
+// " (Gmsh's type 4)", where it is one.
+std::string type_in_words(int type) {
+  return io::is_of_gmsh(type) ? fmt::format(" (Gmsh's type {})", type) : "";
 }
 
 // The start of a line: "         3 nodes".
@@ -126,8 +135,8 @@ std::string describe_text(const Document& document) {
   }
   text += '\n';
   for (const auto& [type, what] : figures.types)
-    text += fmt::format("{:>10} of them {} of {} (Gmsh's type {})\n", what.second, shape_of(type),
-                        io::counted(what.first, "nodes"), type);
+    text += fmt::format("{:>10} of them {} of {}{}\n", what.second, shape_of(type),
+                        io::counted(what.first, "nodes"), type_in_words(type));
   if (!document.unknown.empty())
     text +=
         fmt::format("{}, the first {}\n", row(document.unknown.size(), "numbers of nodes that do not exist"),

@@ -72,9 +72,9 @@ std::string meshb(int code) {
 
 const std::vector<Sample> samples{
     {"Drop",
-     {{"a.vtk", vtk_head + "CELLS 2 10\n4 0 1 2 3\n4 0 1 2 3\nCELL_TYPES 2\n10\n68\n"}},
+     {{"a.vtk", vtk_head + "CELLS 2 10\n4 0 1 2 3\n4 0 1 2 3\nCELL_TYPES 2\n10\n79\n"}},
      "b.msh",
-     "cells of type 68 (Lagrange curve)"},
+     "cells of type 79 (Bezier hexahedron)"},
     {"Lagrange3",
      {{"a.vtu", vtu("0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19",
                     "0 0 0 3 0 0 0 3 0 0 0 3 1 0 0 2 0 0 2 1 0 1 2 0 0 2 0 0 1 0 0 0 1 0 0 2 2 0 1 1 0 2 0 2 "
@@ -82,7 +82,7 @@ const std::vector<Sample> samples{
                     "1 1 1 1 0 1 1 1 1 0",
                     "71")}},
      "b.msh",
-     "cells of type 71 (Lagrange tetrahedron)"},
+     ""},
     {"Req", {{"a.mesh", medit_head + tetrahedron + "End\n"}}, "b.meshb", ""},
     {"ReqBinary", {{"a.meshb", meshb(12)}}, "b.mesh", ""},
     {"UnknownBinary", {{"a.meshb", meshb(11)}}, "b.mesh", "keyword of code 11"},
@@ -108,8 +108,8 @@ const std::vector<Sample> samples{
      {{"a.vtk",
        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\n"
        "LINES 1 5\n4 0 1 2 3\nCELL_DATA 1\nSCALARS id int 1\nLOOKUP_TABLE default\n5\n"}},
-     "b.vtu",
-     "polylines, kept as lines"},
+     "b.vtk",
+     ""},
     {"ArraysOfOneKind",
      {{"a.vtk", vtk_head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nVECTORS v double\n1 2 3\n"
                            "SCALARS s double\nLOOKUP_TABLE default\n0.5\n"}},
@@ -118,8 +118,8 @@ const std::vector<Sample> samples{
     {"Roles",
      {{"a.vtk", vtk_head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nCELL_DATA 1\nVECTORS v double\n1 2 3\n"
                            "FIELD FieldData 1\nw 3 1 double\n4 5 6\n"}},
-     "b.vtu",
-     "attribute roles of values"},
+     "b.vtk",
+     ""},
     {"UnknownAttribute",
      {{"a.vtu", vtu("0 1 2 3", "0 0 0 1 0 0 0 1 0 0 0 1", "10", "<CellData Mood=\"blue\"></CellData>")}},
      "b.vtk",
