@@ -186,7 +186,7 @@ def gmsh_orders(folder):
         "Curve Loop(1)={1,2,3};Curve Loop(2)={1,5,-4};Curve Loop(3)={2,6,-5};Curve Loop(4)={3,4,-6};"
         "Plane Surface(1)={1};Plane Surface(2)={2};Plane Surface(3)={3};Plane Surface(4)={4};"
         "Surface Loop(1)={1,2,3,4};Volume(1)={1};\n")
-    for order in range(2, 11):
+    for order in range(2, 7):  # Gmsh takes minutes for 10
         subprocess.run([GMSH, "-3", "-v", "0", "-order", str(order), folder / "tet.geo", "-o", folder / "tet.msh"], timeout=120)
         for out in ("tet.vtu", "tet.vtk"):
             convert(folder / "tet.msh", folder / out)

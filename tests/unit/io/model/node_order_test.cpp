@@ -3,11 +3,16 @@
 // other programs see them.
 #include "io/model/node_order.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
+
+#include "io/model/element_types.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -103,6 +108,23 @@ TEST(OrderOfLattice, IsByThePlacesOfNodes) {
   EXPECT_TRUE(order_of_lattice(8, {0, 2, 2}).empty());
   EXPECT_TRUE(order_of_lattice(8, {0, 2}).empty());
   EXPECT_TRUE(order_of_lattice(4, {}).empty());
+}
+
+// Checksums of the numbers with blanks between them. A script made them from the coordinates that Gmsh 4.8
+// gives the nodes of a tetrahedron of each order, and from vtkLagrangeTetra::GetParametricCoords of VTK 9.1.
+TEST(OrderOfTetrahedra, OfAllDegrees) {
+  constexpr std::array<unsigned long, 9> expected{0xb30ad529, 0x75e2605b, 0x1ebaa387, 0x0d913e2b, 0x71b8ddf2,
+                                                  0x9271cb1b, 0xeb97e90b, 0x450f965e, 0x300a31bd};
+  for (int degree = 2; degree <= 10; ++degree) {
+    const int type = complete_type(Shape::tetrahedron, degree);
+    for (const int same : {type, bezier(type)}) {
+      const std::string text = fmt::format("{}", fmt::join(node_order(same, NodeOrder::vtk), " "));
+      EXPECT_EQ(::crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())),
+                expected[static_cast<std::size_t>(degree) - 2])
+          << degree;
+    }
+  }
+  EXPECT_TRUE(node_order(complete_type(Shape::triangle, 7), NodeOrder::vtk).empty());
 }
 
 }  // namespace
