@@ -30,6 +30,12 @@ class ValueLosses : LossFinder {
         roles(values, of);
         continue;
       }
+      if (holds_.as_reals(values, of)) {
+        add(fmt::format("that values of {} are integers, not reals", whose), 1,
+            fmt::format("\"{}\"", values.name));
+        roles(values, of);
+        continue;
+      }
       if (const auto held = holds_.numbers ? holds_.numbers(values, of) : std::nullopt) {
         all_but_numbers(values, *held, of, whose);
         roles(values, of);

@@ -176,7 +176,11 @@ TetRegions tet_regions(const Document& document) {
         return document.format == "tetgen" && values.name == "attributes" && !values.reals.empty();
       });
   enum Kind { physical, entity, attribute };
-  const char* const kinds[] = {document.format == "medit" ? "reference" : "physical", "entity", "attribute"};
+  const bool of_tetgen = document.format == "tetgen";
+  const char* const kinds[] = {document.format == "medit" ? "reference"
+                               : of_tetgen                ? "attribute"
+                                                          : "physical",
+                               "entity", "attribute"};
   std::map<std::pair<Kind, std::int64_t>, std::int64_t> regions;  // numbered as they come up
   TetRegions result;
   std::size_t alike = 0;  // as long as all are in the first region, they are only counted
@@ -195,7 +199,10 @@ TetRegions tet_regions(const Document& document) {
     if (!has_shape(block, Shape::tetrahedron)) continue;
     if (attributes == document.element_values.end()) {
       const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-      groups.empty() ? add(entity, block.entity, block.count) : add(physical, groups[0], block.count);
+      if (groups.empty() && !of_tetgen)
+        add(entity, block.entity, block.count);
+      else
+        add(physical, groups.empty() ? 0 : groups[0], block.count);
       continue;
     }
     for (std::size_t e = block.first; e < block.first + block.count; ++e) {

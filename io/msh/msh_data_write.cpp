@@ -50,7 +50,7 @@ class Writer {
 
   void values(const std::vector<Values>& all, Of of, const Holds& holds) {
     for (const Values& values : all)
-      if (holds.values(values, of)) one(values, of);
+      if (holds.values(values, of) || holds.as_reals(values, of)) one(values, of);
   }
 
  private:
@@ -76,7 +76,8 @@ class Writer {
       if (of == Of::element_node) out.integer(values.nodes[i]);
       const std::size_t from = start.empty() ? i * components : start[i];
       const std::size_t behind = start.empty() ? from + components : start[i + 1];
-      for (std::size_t k = from; k < behind; ++k) out.real(values.reals[k]);
+      for (std::size_t k = from; k < behind; ++k)
+        out.real(values.integers.empty() ? values.reals[k] : static_cast<double>(values.integers[k]));
       out.end_line();
       return out.to;
     });

@@ -116,20 +116,30 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
       holds.ghosts = false;
   holds.ghost_entities = format != "msh22" || document.ghosts.empty();
   if (document.periodic.empty()) holds.periodic = true;
-  holds.values = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
-    if (!values.integers.empty() || !values.labels.empty() || values.components < 1) return false;
+  const auto stores = [tags, binary, nodes_differ, elements_differ](const Values& values, Of of) {
+    if (!values.labels.empty() || values.components < 1) return false;
     if (!is_quotable(values.name) || !is_quotable(values.interpolation)) return false;
     if (!values.of_view && has_step(values)) return false;
     if (!(of == Of::node ? nodes_differ : elements_differ)) return false;
     if ((of == Of::element_node) == values.nodes.empty() && values.size() > 0) return false;
     std::size_t size = of == Of::element_node ? 0 : values.items();
     for (const std::int32_t nodes : values.nodes) size += static_cast<std::size_t>(nodes);
-    if (size * static_cast<std::size_t>(values.components) != values.reals.size()) return false;
+    if (size * static_cast<std::size_t>(values.components) != values.size()) return false;
     for (std::size_t i = 0; binary && i < values.items(); ++i) {
       const Index at = values.at.empty() ? static_cast<Index>(values.first + i) : values.at[i];
       if (!fits_int(of == Of::node ? tags.node(at) : tags.element(at))) return false;
     }
     return true;
+  };
+  holds.values = [stores](const Values& values, Of of) {
+    return values.integers.empty() && stores(values, of);
+  };
+  // Gmsh shows them as any data.
+  holds.as_reals = [stores](const Values& values, Of of) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    return !values.integers.empty() && stores(values, of) &&
+           std::all_of(values.integers.begin(), values.integers.end(),
+                       [](std::int64_t i) { return i >= -most && i <= most; });
   };
   holds.section = [format, binary, tags](const Section& section) {
     return section.body.ends_with('\n') && keeps_section(section, format, binary) &&

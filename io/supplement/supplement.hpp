@@ -22,6 +22,9 @@ struct Checksum {
   std::uint32_t crc32 = 0;  ///< as zlib computes it
 };
 
+/// How the native part has values.
+inline constexpr std::int32_t not_native = 0, as_they_are = 1, integers_as_reals = 2;
+
 /// Returns everything that the native part lacks according to `holds`, and whatever else the reader needs to
 /// put it back: lines of printable ASCII without `$` and `#`, at most 1000 bytes long, each ending in LF.
 /// Only of use if `unheld` in io/loss/holds.hpp lists something.

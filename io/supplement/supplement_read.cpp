@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -133,23 +134,30 @@ class Joiner {
     std::vector<Values> joined(in_.count());
     auto next = all.begin();
     for (Values& values : joined) {
-      bool native = false;
+      std::int32_t native = not_native;
       in_(values, native);
       for (Index& i : values.at) rename(i);
-      if (!native) {
+      if (native < not_native || native > integers_as_reals)
+        in_.fail(fmt::format("{} is out of range", native));
+      if (native == not_native) {
         in_(values.reals, values.integers);
         continue;
       }
       const auto is_it = [&](const Values& v) {
         return v.name == values.name && v.components == values.components;
       };
-      next = std::find_if(next, all.end(), is_it);
+      // Values of other elements may have the same name.
+      const auto exact = std::find_if(next, all.end(), [&](const Values& v) {
+        return is_it(v) && v.first == values.first && v.at == values.at;
+      });
+      next = exact != all.end() ? exact : std::find_if(next, all.end(), is_it);
       if (next == all.end())  // the document had them in another order
         next =
             std::find_if(all.begin(), all.end(), [&](const Values& v) { return is_it(v) && v.size() > 0; });
       if (next == all.end()) in_.fail(fmt::format("the file has no values \"{}\"", values.name));
       values.reals = std::move(next->reals);
       values.integers = std::move(next->integers);
+      if (native == integers_as_reals) make_integers(values);
       ++next;
     }
     all = std::move(joined);
@@ -162,6 +170,15 @@ class Joiner {
     in_(kind, place);
     if (kind >= std::size(all) || place >= all[kind]->size()) in_.fail("there are no such values");
     in_((*all[kind])[place].roles);
+  }
+
+  void make_integers(Values& values) {
+    for (const double real : values.reals) {
+      if (!(std::abs(real) <= 0x1p53))
+        in_.fail(fmt::format("{} is no integer of values \"{}\"", real, values.name));
+      values.integers.push_back(static_cast<std::int64_t>(real));
+    }
+    values.reals.clear();
   }
 
   void sections() {

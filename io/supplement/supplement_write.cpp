@@ -124,9 +124,12 @@ void put_all_values(Encoder& out, std::string_view name, const std::vector<Value
                     bool comparable, const Holds& holds) {
   out.field(name, all.size());
   for (const Values& values : all) {
-    const bool native = comparable && holds.values(values, of);
+    const std::int32_t native = !comparable                  ? not_native
+                                : holds.values(values, of)   ? as_they_are
+                                : holds.as_reals(values, of) ? integers_as_reals
+                                                             : not_native;
     out(values, native);
-    if (!native) out(values.reals, values.integers);
+    if (native == not_native) out(values.reals, values.integers);
   }
 }
 

@@ -87,16 +87,14 @@ TetgenPlan tetgen_mesh_plan(const Document& document) {
   plan.edges.nodes_each = second_order && all_of_type(plan.edges, line3) ? 3 : 2;
   plan.renumber_elements = !counts_up(document, plan.base, {&plan.tets, &plan.faces, &plan.edges});
 
-  plan.tet_attributes = values_of(document, plan.tets, "attributes", true, 0);
+  plan.tet_tags = tags_of(document, plan.tets, "attributes", true, 0);
   plan.volume_bounds = values_of(document, plan.tets, "volume bounds", true, 1);
   plan.neighbours = values_of(document, plan.tets, "neighbours", false, 4);
   plan.tet_faces = values_of(document, plan.tets, "faces", false, 4);
   plan.tet_edges = values_of(document, plan.tets, "edges", false, 6);
-  plan.face_markers = values_of(document, plan.faces, "markers", false, 1);
+  plan.face_tags = tags_of(document, plan.faces, "markers", false, 1);
   plan.face_tets = values_of(document, plan.faces, "neighbours", false, 2);
   plan.face_edges = values_of(document, plan.faces, "edges", false, 3);
-  plan.tet_groups = tells_groups(document, plan.tets, "attributes");
-  plan.face_groups = tells_groups(document, plan.faces, "markers");
   plan_edge_values(document, plan);
   // After corners alone a reader would take these columns for nodes between the corners.
   if (second_order && plan.faces.nodes_each == 3) plan.face_tets = nullptr;
@@ -115,6 +113,14 @@ Holds tetgen_mesh_holds(const Document& document, const TetgenPlan& plan) {
            : has_shape(block, Shape::triangle)  ? faces
            : has_shape(block, Shape::line)      ? edges
                                                 : 0;
+  };
+  holds.groups = Holds::Groups::first;
+  holds.groups_of = [&document, tet_tags = plan.tet_tags, face_tags = plan.face_tags,
+                     edge_tags = plan.edge_tags](const ElementBlock& block) {
+    return groups_come_back(document, block,
+                            has_shape(block, Shape::tetrahedron) ? tet_tags
+                            : has_shape(block, Shape::triangle)  ? face_tags
+                                                                 : edge_tags);
   };
   holds.kind = [](const ElementBlock& block) {
     return has_shape(block, Shape::tetrahedron) ? 0 : has_shape(block, Shape::triangle) ? 1 : 2;

@@ -18,6 +18,15 @@ struct TetgenList {
   int nodes_each = 0;  ///< how many nodes are written; 0 for polygons
 };
 
+/// The column of attributes or markers behind the elements of a list: `values` of all of them; or else, if
+/// `groups`, the first physical group of each (0: none), and of elements without a group the `others`,
+/// negative numbers, that some of them have.
+struct TetgenTags {
+  const Values* values = nullptr;
+  bool groups = false;
+  const Values* others = nullptr;
+};
+
 /// Values are null where there are none that the file has a place for.
 struct TetgenPlan {
   bool plc = false;
@@ -29,17 +38,10 @@ struct TetgenPlan {
   std::vector<std::size_t> facets;  ///< positions in `Document::facets` of those that are such runs
 
   const Values *attributes = nullptr, *markers = nullptr, *sizes = nullptr;  // of nodes
-  const Values *tet_attributes = nullptr, *neighbours = nullptr, *tet_faces = nullptr, *tet_edges = nullptr,
-               *volume_bounds = nullptr;
-  const Values *face_markers = nullptr, *face_tets = nullptr, *face_edges = nullptr;
-  const Values *edge_markers = nullptr, *edge_tets = nullptr;
-  const Values* facet_markers = nullptr;
+  const Values *neighbours = nullptr, *tet_faces = nullptr, *tet_edges = nullptr, *volume_bounds = nullptr;
+  const Values *face_tets = nullptr, *face_edges = nullptr, *edge_tets = nullptr;
+  TetgenTags tet_tags, face_tags, edge_tags, facet_tags;
   bool bounds = false, voronoi = false;
-
-  // Whether the first physical group of each element (0: none) is written in place of attributes or markers
-  // that the document does not have. TetGen uses these columns; our reader has the groups from the
-  // supplement.
-  bool tet_groups = false, face_groups = false, edge_groups = false, polygon_groups = false;
 
   /// Returns the number that is written for a node.
   std::int64_t number(const Document&, Index node) const;

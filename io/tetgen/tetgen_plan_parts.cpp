@@ -2,6 +2,10 @@
 #include "io/tetgen/tetgen_plan_parts.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "io/model/groups_of_values.hpp"
+#include "io/model/values.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -24,6 +28,38 @@ const Values* node_values(const Document& document, const char* name, bool reals
         has_columns(values, document.points.size(), reals, components))
       return &values;
   return nullptr;
+}
+
+// Whether values may belong to elements of a list.
+bool touches(const Values& values, const TetgenList& list) {
+  const auto in_list = [&](std::size_t first, std::size_t count) {
+    return std::any_of(list.blocks.begin(), list.blocks.end(), [&](const ElementBlock* block) {
+      return first < block->first + block->count && block->first < first + count;
+    });
+  };
+  if (values.at.empty()) return in_list(values.first, values.items());
+  const auto [least, most] = std::minmax_element(values.at.begin(), values.at.end());
+  return *least < 0 ||
+         in_list(static_cast<std::size_t>(*least), static_cast<std::size_t>(*most - *least) + 1);
+}
+
+// Whether values are negative numbers of elements of the list that have no groups.
+bool are_others(const Document& document, const Values& values, const TetgenList& list) {
+  if (values.components != 1 || values.at.empty() || values.at.size() != values.integers.size() ||
+      !values.labels.empty() || has_step(values) || values.of_view ||
+      std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t i) { return i >= 0; }))
+    return false;
+  auto at = values.at.begin();
+  for (const ElementBlock* block : list.blocks) {
+    const auto first = static_cast<std::int64_t>(block->first),
+               end = first + static_cast<std::int64_t>(block->count);
+    const bool grouped = !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
+    for (std::int64_t last = first - 1; at != values.at.end() && *at > last && *at < end; ++at) {
+      if (grouped) return false;
+      last = *at;
+    }
+  }
+  return at == values.at.end();
 }
 
 }  // namespace
@@ -65,12 +101,24 @@ const Values* values_of(const Document& document, const TetgenList& list, const 
   return nullptr;
 }
 
-bool tells_groups(const Document& document, const TetgenList& list, const char* name) {
-  return std::none_of(document.element_values.begin(), document.element_values.end(),
-                      [&](const Values& values) { return values.name == name; }) &&
-         std::any_of(list.blocks.begin(), list.blocks.end(), [&](const ElementBlock* block) {
-           return !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
-         });
+TetgenTags tags_of(const Document& document, const TetgenList& list, const char* name, bool reals,
+                   int components) {
+  if (const Values* values = values_of(document, list, name, reals, components)) return {.values = values};
+  TetgenTags tags;
+  for (const ElementBlock* block : list.blocks)
+    tags.groups |= !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
+  for (const Values& values : document.element_values) {
+    if (values.name != name || !touches(values, list)) continue;
+    if (!tags.groups || tags.others || !are_others(document, values, list)) return {};
+    tags.others = &values;
+  }
+  return tags;
+}
+
+bool groups_come_back(const Document& document, const ElementBlock& block, const TetgenTags& tags) {
+  const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+  return groups.empty() || (tags.groups && groups.size() == 1 && groups[0] > 0 &&
+                            groups[0] <= std::numeric_limits<std::int32_t>::max());
 }
 
 TetgenPlan plan_of_nodes(const Document& document) {
@@ -87,12 +135,14 @@ TetgenPlan plan_of_nodes(const Document& document) {
 }
 
 void plan_edge_values(const Document& document, TetgenPlan& plan) {
-  plan.edge_markers = values_of(document, plan.edges, "markers", false, 1);
+  plan.edge_tags = tags_of(document, plan.edges, "markers", false, 1);
   plan.edge_tets = values_of(document, plan.edges, "neighbours", false, 1);
-  plan.edge_groups = tells_groups(document, plan.edges, "markers");
   // Values with the same name are told apart by their order, and those of edges are read last.
-  const Values* const before = plan.plc ? plan.facet_markers : plan.face_markers;
-  if (plan.edge_markers < before) plan.edge_markers = nullptr;
+  const TetgenTags& before = plan.plc ? plan.facet_tags : plan.face_tags;
+  for (const Values* values : {before.values, before.others})
+    if (const Values* mine = plan.edge_tags.values ? plan.edge_tags.values : plan.edge_tags.others;
+        values && mine && mine < values)
+      plan.edge_tags = {};
 }
 
 Holds tetgen_holds_of_values(const Document& document, const TetgenPlan& plan) {
@@ -105,10 +155,14 @@ Holds tetgen_holds_of_values(const Document& document, const TetgenPlan& plan) {
   };
   holds.kept_in = "comments";
   holds.bounds = true;
-  std::vector<const Values*> held{plan.attributes,    plan.markers,      plan.sizes,      plan.tet_attributes,
-                                  plan.volume_bounds, plan.neighbours,   plan.tet_faces,  plan.tet_edges,
-                                  plan.face_markers,  plan.face_tets,    plan.face_edges, plan.edge_markers,
-                                  plan.edge_tets,     plan.facet_markers};
+  std::vector<const Values*> held{plan.attributes, plan.markers,   plan.sizes,     plan.volume_bounds,
+                                  plan.neighbours, plan.tet_faces, plan.tet_edges, plan.face_tets,
+                                  plan.face_edges, plan.edge_tets};
+  for (const TetgenTags& tags : {plan.tet_tags, plan.face_tags, plan.edge_tags, plan.facet_tags}) {
+    // Values that our reader takes for groups do not come back as values.
+    if (tags.values && !are_tags(*tags.values)) held.push_back(tags.values);
+    held.push_back(tags.others);
+  }
   held.erase(std::remove(held.begin(), held.end(), nullptr), held.end());
   holds.values = [held](const Values& values, Of of) {
     return of != Of::element_node && std::find(held.begin(), held.end(), &values) != held.end();

@@ -30,9 +30,12 @@ bool counts_up(const Document& document, std::int64_t base, std::initializer_lis
 const Values* values_of(const Document& document, const TetgenList& list, const char* name, bool reals,
                         int components);
 
-/// Whether the groups of a list can be written in the column of values called `name`, since no element has
-/// such values.
-bool tells_groups(const Document& document, const TetgenList& list, const char* name);
+/// What stands in the column `name` behind the elements of a list. `components` 0: any number of components.
+TetgenTags tags_of(const Document& document, const TetgenList& list, const char* name, bool reals,
+                   int components);
+
+/// Whether a block's groups come back from the column of its list.
+bool groups_come_back(const Document& document, const ElementBlock& block, const TetgenTags& tags);
 
 /// Plans the nodes and their values.
 TetgenPlan plan_of_nodes(const Document& document);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plans which elements of a document become polygons and edges of a .poly or .smesh.
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "io/model/element_types.hpp"
 #include "io/tetgen/tetgen_plan.hpp"
@@ -25,6 +28,22 @@ PlcPart part_of(const ElementBlock& block, bool said) {
   return !block.of_boundary && has_shape(block, Shape::line) ? PlcPart::edges : PlcPart::none;
 }
 
+// The number in the column of tags behind each polygon.
+std::vector<std::int64_t> numbers_of(const Document& document, const TetgenList& list,
+                                     const TetgenTags& tags) {
+  if (tags.values) return tags.values->integers;
+  std::vector<std::int64_t> numbers;
+  if (!tags.groups) return numbers;
+  std::size_t others = 0;
+  for (const ElementBlock* block : list.blocks)
+    for (std::size_t e = block->first; e < block->first + block->count; ++e) {
+      const bool other =
+          tags.others && others < tags.others->at.size() && tags.others->at[others] == static_cast<Index>(e);
+      numbers.push_back(other ? tags.others->integers[others++] : first_group(document, *block));
+    }
+  return numbers;
+}
+
 }  // namespace
 
 TetgenPlan tetgen_plc_plan(const Document& document) {
@@ -36,9 +55,12 @@ TetgenPlan tetgen_plc_plan(const Document& document) {
       add_block(part == PlcPart::facets ? plan.polygons : plan.edges, block);
   plan.edges.nodes_each = 2;
   plan.renumber_elements = !counts_up(document, plan.base, {&plan.polygons, &plan.edges});
-  plan.facet_markers = values_of(document, plan.polygons, "markers", false, 1);
+  plan.facet_tags = tags_of(document, plan.polygons, "markers", false, 1);
   plan_edge_values(document, plan);
 
+  const std::vector<std::int64_t> numbers = document.facets.empty()
+                                                ? std::vector<std::int64_t>{}
+                                                : numbers_of(document, plan.polygons, plan.facet_tags);
   const bool run = plan.polygons.count > 0 && is_run(plan.polygons, plan.polygons.blocks[0]->first);
   std::size_t next = run ? plan.polygons.blocks[0]->first : 0;
   const std::size_t end = run ? next + plan.polygons.count : 0;
@@ -51,13 +73,11 @@ TetgenPlan tetgen_plc_plan(const Document& document) {
     }
     plan.facets.push_back(f);
     next = facet.first + facet.polygons;
-    if (!plan.facet_markers) continue;
-    const std::int64_t* marker =
-        plan.facet_markers->integers.data() + (facet.first - plan.facet_markers->first);
-    if (std::any_of(marker, marker + facet.polygons, [&](std::int64_t m) { return m != *marker; }))
-      plan.facet_markers = nullptr;  // a facet has one marker
+    if (numbers.empty()) continue;
+    const auto its = std::span(numbers).subspan(facet.first - plan.polygons.blocks[0]->first, facet.polygons);
+    if (std::any_of(its.begin(), its.end(), [&](std::int64_t number) { return number != its[0]; }))
+      plan.facet_tags = {};  // a facet has one marker
   }
-  plan.polygon_groups = plan.facets.empty() && tells_groups(document, plan.polygons, "markers");
   return plan;
 }
 
@@ -71,6 +91,11 @@ Holds tetgen_plc_holds(const Document& document, const TetgenPlan& plan, bool sm
     const PlcPart part = part_of(block, said);
     const ElementType* type = element_type(block.type);
     return part == PlcPart::none ? 0 : type ? type->corners : block.nodes_each;
+  };
+  holds.groups = Holds::Groups::first;
+  holds.groups_of = [&document, said, edge_tags = plan.edge_tags,
+                     facet_tags = plan.facet_tags](const ElementBlock& block) {
+    return groups_come_back(document, block, part_of(block, said) == PlcPart::edges ? edge_tags : facet_tags);
   };
   holds.kind = [said](const ElementBlock& block) { return part_of(block, said) == PlcPart::edges ? 1 : 0; };
   return holds;

@@ -22,7 +22,7 @@ class PlcWriter {
     write_tetgen_nodes(file_, document_, plan_);
     std::size_t count = plan_.polygons.count;
     for (const std::size_t f : plan_.facets) count -= document_.facets[f].polygons - 1;
-    file_.write(fmt::format("{} {}\n", count, plan_.facet_markers || plan_.polygon_groups ? 1 : 0));
+    file_.write(fmt::format("{} {}\n", count, columns(plan_.facet_tags)));
     // Runs of polygons each of which is a facet, and between them facets of several polygons.
     std::size_t next = 0;
     for (const std::size_t f : plan_.facets) {
@@ -31,7 +31,12 @@ class PlcWriter {
       facets_of_one(next, first);
       next = first + facet.polygons;
       file_.write(fmt::format("{} {}", facet.polygons, facet.holes.size()));
-      file_.write(plan_.facet_markers ? fmt::format(" {}\n", plan_.facet_markers->integers[first]) : "\n");
+      each_block(first, first + 1,
+                 [&](const ElementBlock& block, std::size_t from, std::size_t, std::size_t) {
+                   write_items(file_, 1, longest_integer + 2, [&](std::size_t, char* to) {
+                     return put(put_tags(to, plan_.facet_tags, document_, block, from, first), '\n');
+                   });
+                 });
       each_block(first, next, [&](const ElementBlock& block, std::size_t from, std::size_t to, std::size_t) {
         polygons(block, from, to, false, 0);
       });
@@ -77,10 +82,8 @@ class PlcWriter {
                 std::size_t position) {
     const ElementType* type = element_type(block.type);
     const auto corners = static_cast<std::size_t>(type ? type->corners : block.nodes_each);
-    const Values* markers = whole_facets ? plan_.facet_markers : nullptr;
-    const std::string group = plan_.polygon_groups ? fmt::format(" {}", first_group(document_, block)) : "";
     const auto put_marker = [&](char* at, std::size_t i) {
-      return std::copy(group.begin(), group.end(), put_values(at, markers, position + i));
+      return whole_facets ? put_tags(at, plan_.facet_tags, document_, block, from + i, position + i) : at;
     };
     const std::size_t longest = 8 + (corners + 4) * (longest_integer + 1) + corners / corners_a_line + 2;
     write_items(file_, to - from, longest, [&](std::size_t i, char* at) {

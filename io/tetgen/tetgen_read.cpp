@@ -12,6 +12,7 @@
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/groups_of_values.hpp"
 #include "io/model/read_document.hpp"
 #include "io/supplement/supplement.hpp"
 #include "io/tetgen/tetgen.hpp"
@@ -53,6 +54,7 @@ class SetReader {
       read_volume_bounds(vol->in, tets_, document_);
     fields(set_.member(".node"), index);
     if (voronoi) read_voronoi(set_.stem, document_);
+    make_groups();
     take_back(supplement, set_.member(".node"), document_);
   }
 
@@ -70,11 +72,18 @@ class SetReader {
       read_elements(edge->in, header, index, document_);
     }
     if (named) fields(points_elsewhere ? set_.stem + ".node" : set_.path, index);
+    make_groups();
     if (!places)  // the supplement may move elements
       take_back(supplement_in_comments(file, set_.stem, document_), set_.path, document_);
   }
 
  private:
+  // What TetGen calls attributes and markers are the groups of other tools.
+  void make_groups() {
+    make_groups_of_values(document_, "attributes");
+    make_groups_of_values(document_, "markers");
+  }
+
   std::unique_ptr<Member> open(const std::string& ending) const {
     const std::string path = set_.member(ending);
     if (ending != set_.ending && !file_exists(path)) return nullptr;

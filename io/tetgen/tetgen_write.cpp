@@ -14,19 +14,16 @@
 namespace tetproof::io {
 namespace {
 
-// Writes the lines of an .ele, .face or .edge: number, nodes, values (or the group in their place), more
-// values.
+// Writes the lines of an .ele, .face or .edge: number, nodes, tags, values.
 void write_elements(AtomicFile& file, const Document& document, const TetgenPlan& plan,
-                    const TetgenList& list, bool groups, const Values* before,
-                    const Values* behind = nullptr) {
+                    const TetgenList& list, const TetgenTags& tags, const Values* behind = nullptr) {
   const auto each = static_cast<std::size_t>(list.nodes_each);
-  const std::size_t longest = (2 + each + columns(before) + columns(behind)) * (longest_real + 1) + 1;
+  const std::size_t longest = (2 + each + columns(tags) + columns(behind)) * (longest_real + 1) + 1;
   // TetGen has an order of its own for the nodes of tetrahedra of second order, and only for these.
   const std::span<const int> order =
       each == 10 ? node_order(tetrahedron10, NodeOrder::tetgen) : std::span<const int>{};
   std::size_t written = 0;
   for (const ElementBlock* block : list.blocks) {
-    const std::string group = groups ? fmt::format(" {}", first_group(document, *block)) : "";
     write_items(file, block->count, longest, [&](std::size_t i, char* to) {
       to = put(to, plan.base + static_cast<std::int64_t>(written + i));
       const Index* node =
@@ -34,7 +31,7 @@ void write_elements(AtomicFile& file, const Document& document, const TetgenPlan
       for (std::size_t k = 0; k < each; ++k)
         to = put(put(to, ' '),
                  plan.number(document, node[order.empty() ? k : static_cast<std::size_t>(order[k])]));
-      to = std::copy(group.begin(), group.end(), put_values(to, before, written + i));
+      to = put_tags(to, tags, document, *block, i, written + i);
       return put(put_values(to, behind, written + i), '\n');
     });
     written += block->count;
@@ -110,8 +107,8 @@ void write_tetgen_nodes(AtomicFile& file, const Document& document, const Tetgen
 }
 
 void write_tetgen_edges(AtomicFile& file, const Document& document, const TetgenPlan& plan) {
-  file.write(fmt::format("{} {}\n", plan.edges.count, plan.edge_markers || plan.edge_groups ? 1 : 0));
-  write_elements(file, document, plan, plan.edges, plan.edge_groups, plan.edge_markers, plan.edge_tets);
+  file.write(fmt::format("{} {}\n", plan.edges.count, columns(plan.edge_tags)));
+  write_elements(file, document, plan, plan.edges, plan.edge_tags, plan.edge_tets);
 }
 
 void write_tetgen_fields(TetgenFiles& files, const Document& document, const TetgenPlan& plan) {
@@ -164,13 +161,12 @@ void write_mesh(const std::string& path, const Document& document, const TetgenP
   TetgenFiles files(set, supplement);
   write_tetgen_nodes(files.add(".node"), document, plan);
   AtomicFile& ele = files.add(".ele");
-  ele.write(fmt::format("{} {} {}\n", plan.tets.count, plan.tets.nodes_each,
-                        columns(plan.tet_attributes) + plan.tet_groups));
-  write_elements(ele, document, plan, plan.tets, plan.tet_groups, plan.tet_attributes);
+  ele.write(fmt::format("{} {} {}\n", plan.tets.count, plan.tets.nodes_each, columns(plan.tet_tags)));
+  write_elements(ele, document, plan, plan.tets, plan.tet_tags);
   if (is_among(endings, ".face")) {
     AtomicFile& file = files.add(".face");
-    file.write(fmt::format("{} {}\n", plan.faces.count, plan.face_markers || plan.face_groups ? 1 : 0));
-    write_elements(file, document, plan, plan.faces, plan.face_groups, plan.face_markers, plan.face_tets);
+    file.write(fmt::format("{} {}\n", plan.faces.count, columns(plan.face_tags)));
+    write_elements(file, document, plan, plan.faces, plan.face_tags, plan.face_tets);
   }
   if (is_among(endings, ".edge")) write_tetgen_edges(files.add(".edge"), document, plan);
   if (plan.neighbours) {

@@ -2,6 +2,7 @@
 // Shared by the writers of TetGen's files: a set of files that appear together, and lines of numbers in them.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <vector>
@@ -41,6 +42,23 @@ inline char* put_values(char* to, const Values* values, std::size_t item) {
 }
 inline std::size_t columns(const Values* values) {
   return values ? static_cast<std::size_t>(values->components) : 0;
+}
+inline std::size_t columns(const TetgenTags& tags) {
+  return tags.values ? columns(tags.values) : tags.groups ? 1 : 0;
+}
+
+/// Puts the tags of element i of a block, which is `item` in its list.
+inline char* put_tags(char* to, const TetgenTags& tags, const Document& document, const ElementBlock& block,
+                      std::size_t i, std::size_t item) {
+  if (!tags.groups) return put_values(to, tags.values, item);
+  if (tags.others && document.tag_sets[static_cast<std::size_t>(block.groups)].empty()) {
+    const auto& at = tags.others->at;
+    const auto element = static_cast<Index>(block.first + i);
+    const auto place = std::lower_bound(at.begin(), at.end(), element);
+    if (place != at.end() && *place == element)
+      return put(put(to, ' '), tags.others->integers[static_cast<std::size_t>(place - at.begin())]);
+  }
+  return put(put(to, ' '), first_group(document, block));
 }
 
 /// Writes "COUNT 3 ATTRIBUTES MARKERS" and a line for each node, as in .node and .poly.

@@ -13,15 +13,17 @@ inline std::string text_of(const Eigen::Vector3d& p) {
   return fmt::format("{}", fmt::join(p.data(), p.data() + 3, " "));
 }
 
-/// Blocks as "b TYPE NODES_EACH COUNT (of_boundary)", values as "v OF NAME COMPONENTS from FIRST: ...", and
-/// the rest by their names.
+/// Blocks as "b TYPE NODES_EACH COUNT (boundary) (group NUMBER)", values as "v OF NAME COMPONENTS from FIRST:
+/// ..." or "... at POSITIONS: ...", and the rest by their names.
 inline std::string tetgen_text(const Document& d) {
   std::string text;
   for (std::size_t i = 0; i < d.points.size(); ++i)
     text += fmt::format("n {} {}\n", d.node_tag(i), text_of(d.points[i]));
   for (const ElementBlock& block : d.blocks) {
-    text += fmt::format("b {} {} {}{}\n", block.type, block.nodes_each, block.count,
-                        block.of_boundary ? " boundary" : "");
+    const auto& groups = d.tag_sets.at(static_cast<std::size_t>(block.groups));
+    text += fmt::format("b {} {} {}{}{}{}\n", block.type, block.nodes_each, block.count,
+                        block.of_boundary ? " boundary" : "", groups.empty() ? "" : " group ",
+                        fmt::join(groups, " "));
     for (std::size_t e = 0; e < block.count; ++e) {
       text += fmt::format("e {}:", d.element_tag(block.first + e));
       for (int k = 0; k < block.nodes_each; ++k) {
@@ -33,8 +35,10 @@ inline std::string tetgen_text(const Document& d) {
   }
   for (const auto& [values, of] : {std::pair{&d.node_values, "node"}, {&d.element_values, "element"}})
     for (const Values& v : *values)
-      text += fmt::format("v {} {} {} from {}: {}{}\n", of, v.name, v.components, v.first,
-                          fmt::join(v.reals, " "), fmt::join(v.integers, " "));
+      text += fmt::format(
+          "v {} {} {} {}: {}{}\n", of, v.name, v.components,
+          v.at.empty() ? fmt::format("from {}", v.first) : fmt::format("at {}", fmt::join(v.at, " ")),
+          fmt::join(v.reals, " "), fmt::join(v.integers, " "));
   for (const Facet& facet : d.facets) {
     text += fmt::format("facet {} {}\n", facet.first, facet.polygons);
     for (const auto& hole : facet.holes) text += "  hole " + text_of(hole) + "\n";

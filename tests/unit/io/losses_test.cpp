@@ -29,15 +29,15 @@ struct LossCase {
 };
 
 const std::vector<LossCase> loss_cases{
-    {"Msh41", "a.msh", WriteOptions(), {"values \"markers\" of nodes: 10 (1)"}},
+    {"Msh41", "a.msh", WriteOptions(), {"that values of nodes are integers, not reals: 1 (\"markers\")"}},
     {"Msh41Binary",
      "a.msh",
      {.binary = true},
-     {"values \"markers\" of nodes: 10 (1)", "section $Periodic: 1 (2 bytes)"}},
+     {"that values of nodes are integers, not reals: 1 (\"markers\")", "section $Periodic: 1 (2 bytes)"}},
     {"Msh22",
      "a.msh",
      {.format = "msh22"},
-     {"entities with their boxes and boundaries: 1 (5 of dimension 3)", "values \"markers\" of nodes: 10 (1)",
+     {"entities with their boxes and boundaries: 1 (5 of dimension 3)", "that values of nodes are integers, not reals: 1 (\"markers\")",
       "section $Periodic: 1 (2 bytes)"}},
     {"Tetgen",
      "a.node",

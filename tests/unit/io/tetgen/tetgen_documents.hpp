@@ -28,22 +28,25 @@ inline Document tetgen_document() {
   Document document;
   document.points = {{0, 0, 0}, {0.1, 0, 0}, {-0.0, 1, 0}, {0, 0, 5e-324}};
   document.first_node = document.first_element = 0;
-  document.blocks = {{.type = 4, .dim = 3, .nodes_each = 4, .count = 1},
-                     {.type = 2, .dim = 2, .nodes_each = 3, .count = 2, .first = 1, .nodes = 4},
-                     {.type = 1, .dim = 1, .nodes_each = 2, .count = 1, .first = 3, .nodes = 10}};
+  document.blocks = {
+      {.type = 4, .dim = 3, .nodes_each = 4, .count = 1},
+      {.type = 2, .dim = 2, .nodes_each = 3, .count = 1, .first = 1, .nodes = 4},
+      {.type = 2, .dim = 2, .groups = 1, .nodes_each = 3, .count = 1, .first = 2, .nodes = 7},
+      {.type = 1, .dim = 1, .groups = 2, .nodes_each = 2, .count = 1, .first = 3, .nodes = 10}};
+  document.tag_sets = {{}, {7}, {5}};
   document.connectivity = {0, 1, 2, 3, 0, 1, 2, 0, 1, 3, 2, 3};
   document.node_values = {reals("attributes", 2, {1, 2, 3, 4, 5, 6, 7, 0.1}),
                           integers("markers", 1, 0, {1, -1, 0, 9}), reals("sizes", 1, {1, 2, 3, 4})};
   document.element_values = {reals("attributes", 1, {2.25}),
-                             integers("markers", 1, 1, {-7, 7}),
+                             integers("markers", 1, 0, {-7}),  // at element 1
                              integers("neighbours", 2, 1, {0, -1, -1, 0}),
-                             integers("markers", 1, 3, {5}),
                              integers("neighbours", 1, 3, {0}),
                              integers("neighbours", 4, 0, {-1, -1, -1, -1}),
                              integers("faces", 4, 0, {3, 2, 1, 0}),
                              integers("edges", 6, 0, {0, 1, 2, 3, 4, 5}),
                              integers("edges", 3, 1, {0, 1, 2, 2, 1, 0}),
                              reals("volume bounds", 1, {0.125})};
+  document.element_values[1].at = {1};
   document.area_bounds = {{-7, 0.5}};
   document.length_bounds = {{{2, 3}, 0.25}};
   document.voronoi.points = {{1, 2, 3}};

@@ -29,9 +29,10 @@ const std::vector<Case> cases{
        "# by hand\n" + nodes +
            "3 1\n1 0 -4 # a square\n4 1 2 3 4\n3 1 9\n4 1 2 3 4\n2 1 3\n1 5\n1 1.5 0.5 0\n1\n3 1 2 5\n"
            "1\n1 0.5 0.5 0.5\n2\n1 .1 .1 .1 2.25 1e-3\n2 .2 .2 .2 -7\n"}},
-     n + "b 3 4 2 boundary\ne 1: 1 2 3 4\ne 2: 1 2 3 4\nb 1 2 1 boundary\ne 3: 1 3\nb 15 1 1 boundary\ne 4: "
+     n + "b 3 4 1 boundary\ne 1: 1 2 3 4\nb 3 4 1 boundary group 9\ne 2: 1 2 3 4\nb 1 2 1 boundary group "
+         "9\ne 3: 1 3\nb 15 1 1 boundary group 9\ne 4: "
          "5\n"
-         "b 2 3 1 boundary\ne 5: 1 2 5\nv element markers 1 from 0: -4 9 9 9 0\nfacet 1 3\n  hole 1.5 0.5 0\n"
+         "b 2 3 1 boundary\ne 5: 1 2 5\nv element markers 1 at 0: -4\nfacet 1 3\n  hole 1.5 0.5 0\n"
          "hole 0.5 0.5 0.5\nregion 0.1 0.1 0.1 2.25 0.001\nregion 0.2 0.2 0.2 -7 -7\n"},
     {"PolygonsOverLines",
      "a.poly",
@@ -44,8 +45,8 @@ const std::vector<Case> cases{
     {"Smesh",
      "a.smesh",
      {{"a.smesh", nodes + "3 1\n4 1 2 3 4 7\n3 1 2\n9 -8\n3 2 3 5\n0\n0\n"}},
-     n + "b 3 4 1 boundary\ne 1: 1 2 3 4\nb 2 3 2 boundary\ne 2: 1 2 ?9\ne 3: 2 3 5\nv element markers 1 "
-         "from 0: 7 -8 0\n"},
+     n + "b 3 4 1 boundary group 7\ne 1: 1 2 3 4\nb 2 3 2 boundary\ne 2: 1 2 ?9\ne 3: 2 3 5\n"
+         "v element markers 1 at 1: -8\n"},
     {"EdgesSizesAndBoundsButNoMesh",
      "a.smesh",
      {{"a.smesh", nodes + "1\n3 1 2 5\n0\n"},
@@ -54,8 +55,7 @@ const std::vector<Case> cases{
       {"a.var", "1\n1 7 0.5\n"},
       {"a.ele", "this is read with a.node only"},
       {"a.node", "and this not at all"}},
-     n + "b 2 3 1 boundary\ne 1: 1 2 5\nb 1 2 1\ne 2: 3 4\nv node sizes 1 from 0: 1 2 3 4 5\nv element "
-         "markers 1 from 1: 2\n"
+     n + "b 2 3 1 boundary\ne 1: 1 2 5\nb 1 2 1 group 2\ne 2: 3 4\nv node sizes 1 from 0: 1 2 3 4 5\n"
          "area 7 0.5\n"},
     {"Warnings",
      "a.smesh",

@@ -24,13 +24,22 @@ Document boundary() {
   Document document;
   document.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}};
   document.blocks = {
-      {.type = 2, .dim = 2, .nodes_each = 3, .count = 1, .of_boundary = true},
+      {.type = 2, .dim = 2, .groups = 1, .nodes_each = 3, .count = 1, .of_boundary = true},
       {.type = 3, .dim = 2, .nodes_each = 4, .count = 1, .first = 1, .nodes = 3, .of_boundary = true},
       {.type = 2, .dim = 2, .nodes_each = 3, .count = 1, .first = 2, .nodes = 7, .of_boundary = true},
       {.type = 1, .dim = 1, .nodes_each = 2, .count = 1, .first = 3, .nodes = 10, .of_boundary = true},
-      {.type = 34, .dim = 2, .nodes_each = 6, .count = 1, .first = 4, .nodes = 12, .of_boundary = true}};
+      {.type = 34,
+       .dim = 2,
+       .groups = 2,
+       .nodes_each = 6,
+       .count = 1,
+       .first = 4,
+       .nodes = 12,
+       .of_boundary = true}};
+  document.tag_sets = {{}, {1}, {3}};
   document.connectivity = {0, 1, 2, 0, 1, 2, 3, 4, 5, 6, 0, 4, 0, 1, 2, 3, 4, 5};
-  document.element_values = {integers("markers", 1, 0, {1, -2, -2, -2, 3})};
+  document.element_values = {integers("markers", 1, 0, {-2, -2, -2})};
+  document.element_values[0].at = {1, 2, 3};
   document.facets = {{.first = 1, .polygons = 3, .holes = {{1.25, 1.25, 0}}}};
   document.holes = {{1, 2, 3}};
   document.regions = {{{1, 1, 1}, 2.25, -1}};
@@ -49,7 +58,10 @@ TEST(TetgenWrite, Poly) {
   const io::Holds holds = io::plan_poly(document, false)->holds();
   EXPECT_TRUE(holds.facets && holds.holes && holds.regions && holds.element_tags);
   EXPECT_TRUE(holds.values(document.element_values[0], io::Of::element));
-  for (const ElementBlock& block : document.blocks) EXPECT_EQ(holds.nodes_each(block), block.nodes_each);
+  for (const ElementBlock& block : document.blocks) {
+    EXPECT_EQ(holds.nodes_each(block), block.nodes_each);
+    EXPECT_TRUE(holds.groups_of(block));
+  }
 }
 
 TEST(TetgenWrite, Smesh) {
@@ -69,7 +81,7 @@ TEST(TetgenWrite, Smesh) {
 
 TEST(TetgenWrite, AFacetHasOneMarker) {
   Document document = boundary();
-  document.element_values[0].integers[2] = 8;
+  document.element_values[0].integers[2] = -8;
   const io::Holds holds = io::plan_poly(document, false)->holds();
   EXPECT_TRUE(holds.facets);
   EXPECT_FALSE(holds.values(document.element_values[0], io::Of::element));

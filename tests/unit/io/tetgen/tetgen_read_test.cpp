@@ -48,9 +48,10 @@ const std::vector<Case> cases{
       {"a.1.vol", "1\n0 0.125\n"},
       {"a.1.mtr", "4 1\n0.5\n1e-3\n2\n3 \n"},
       {"a.1.var", "1\n0 -7 0.25\n1\n0 3 0 1e-2\n"}},
-     n0 + "b 4 4 1\ne 0: 0 1 2 3\nb 2 3 2\ne 1: 0 1 2\ne 2: 0 1 3\nb 1 2 1\ne 3: 3 0\nv node sizes 1 from 0: "
+     n0 + "b 4 4 1\ne 0: 0 1 2 3\nb 2 3 2\ne 1: 0 1 2\ne 2: 0 1 3\nb 1 2 1 group 5\ne 3: 3 0\nv node sizes 1 "
+          "from 0: "
           "0.5 0.001 2 3\n"
-          "v element markers 1 from 1: -7 0\nv element markers 1 from 3: 5\nv element neighbours 4 from 0: "
+          "v element markers 1 from 1: -7 0\nv element neighbours 4 from 0: "
           "-1 -1 7 -1\n"
           "v element faces 4 from 0: 0 1 2 3\nv element edges 6 from 0: 5 4 3 2 1 0\nv element edges 3 from "
           "1: 1 2 3 4 5 6\n"
@@ -59,7 +60,7 @@ const std::vector<Case> cases{
      "a.face",
      {{"a.node", nodes1}, {"a.ele", ele1}, {"a.face", "1 1\n1 1 2 3 9 1 -1\n"}, {"a.edge", "1 0\n1 1 2 1\n"}},
      n1 + tet1 +
-         "b 2 3 1\ne 2: 1 2 3\nb 1 2 1\ne 3: 1 2\nv element markers 1 from 1: 9\nv element neighbours 2 from "
+         "b 2 3 1 group 9\ne 2: 1 2 3\nb 1 2 1\ne 3: 1 2\nv element neighbours 2 from "
          "1: 1 -1\n"
          "v element neighbours 1 from 2: 1\n"},
     {"FacesWithoutTetrahedra",
@@ -73,9 +74,8 @@ const std::vector<Case> cases{
       {"a.face", "1 1\n0 0 1 2 4 5 6 -3\n"},
       {"a.edge", "2 1\n0 0 1 4 7\n1 2 3 8 7\n"}},
      n10 + tet10 +
-         "b 9 6 1\ne 1: 0 1 2 4 5 6\nb 8 3 2\ne 2: 0 1 4\ne 3: 2 3 8\nv element markers 1 from 1: -3\nv "
-         "element markers 1 "
-         "from 2: 7 7\n"},
+         "b 9 6 1\ne 1: 0 1 2 4 5 6\nb 8 3 2 group 7\ne 2: 0 1 4\ne 3: 2 3 8\nv element markers 1 from 1: "
+         "-3\n"},
     {"SecondOrderFacesAsWithF",  // with -f each node is opposite to its corner
      "a.ele",
      {{"a.node", nodes10},
@@ -83,8 +83,8 @@ const std::vector<Case> cases{
       {"a.face", "2 1\n0 0 1 2 5 6 4 0 0 -1\n1 3 1 0 4 7 9 2 -1 0\n"},
       {"a.edge", "1 1\n0 0 1 4 7 0\n"}},
      n10 + tet10 +
-         "b 9 6 2\ne 1: 0 1 2 4 5 6\ne 2: 3 1 0 9 4 7\nb 8 3 1\ne 3: 0 1 4\nv element markers 1 from 1: 0 2\n"
-         "v element neighbours 2 from 1: 0 -1 -1 0\nv element markers 1 from 3: 7\nv element neighbours 1 "
+         "b 9 6 1\ne 1: 0 1 2 4 5 6\nb 9 6 1 group 2\ne 2: 3 1 0 9 4 7\nb 8 3 1 group 7\ne 3: 0 1 4\n"
+         "v element neighbours 2 from 1: 0 -1 -1 0\nv element neighbours 1 "
          "from 3: 0\n"},
     {"SecondOrderFacesAloneAsWithF",
      "a.face",
@@ -93,9 +93,7 @@ const std::vector<Case> cases{
     {"FirstOrderBesideSecondOrder",
      "a.ele",
      {{"a.node", nodes10}, {"a.ele", ele10}, {"a.face", "1 1\n0 0 1 2 -3\n"}, {"a.edge", "1 1\n0 0 1 7\n"}},
-     n10 + tet10 +
-         "b 2 3 1\ne 1: 0 1 2\nb 1 2 1\ne 2: 0 1\nv element markers 1 from 1: -3\nv element markers 1 from "
-         "2: 7\n"},
+     n10 + tet10 + "b 2 3 1\ne 1: 0 1 2\nb 1 2 1 group 7\ne 2: 0 1\nv element markers 1 from 1: -3\n"},
     {"SecondOrderOfTheOppositeOrientation",  // corners 0 and 1 are exchanged, the nodes between corners are
                                              // not
      "a.ele",

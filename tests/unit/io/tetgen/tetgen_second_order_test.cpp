@@ -36,8 +36,10 @@ Document second_order(bool first_order_faces) {
     document.blocks.push_back({.type = 8, .dim = 1, .nodes_each = 3, .count = 1, .first = 2, .nodes = 16});
     document.connectivity.insert(document.connectivity.end(), {0, 1, 2, 4, 5, 6, 0, 1, 4});
   }
-  document.element_values = {integers("markers", 1, 1, {3}), integers("neighbours", 2, 1, {1, -1}),
-                             integers("markers", 1, 2, {4}), integers("neighbours", 1, 2, {1})};
+  document.tag_sets = {{}, {3}, {4}};
+  document.blocks[1].groups = 1;
+  document.blocks[2].groups = 2;
+  document.element_values = {integers("neighbours", 2, 1, {1, -1}), integers("neighbours", 1, 2, {1})};
   return document;
 }
 
@@ -88,9 +90,9 @@ TEST(TetgenWrite, FirstOrderBesideSecondOrder) {
   const test::TestFiles files;
   const Document document = second_order(true);
   const io::Holds holds = io::plan_tetgen(document, false)->holds();
-  EXPECT_TRUE(holds.values(document.element_values[0], io::Of::element));
-  EXPECT_FALSE(holds.values(document.element_values[1], io::Of::element));
-  EXPECT_FALSE(holds.values(document.element_values[3], io::Of::element));
+  for (const ElementBlock& block : document.blocks) EXPECT_TRUE(holds.groups_of(block));
+  for (const Values& neighbours : document.element_values)
+    EXPECT_FALSE(holds.values(neighbours, io::Of::element));
   write_document(files.path("a.ele"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "1 1\n1 1 2 3 3\n");
   EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 1\n1 1 2 4\n");

@@ -57,9 +57,11 @@ TEST(TetgenWrite, HoldsAllOfItsOwn) {
     EXPECT_TRUE(holds.values(values, io::Of::node)) << values.name;
   for (const Values& values : document.element_values)
     EXPECT_TRUE(holds.values(values, io::Of::element)) << values.name;
-  for (std::size_t b = 0; b < 3; ++b) {
-    EXPECT_EQ(holds.nodes_each(document.blocks[b]), document.blocks[b].nodes_each);
-    EXPECT_EQ(holds.kind(document.blocks[b]), static_cast<int>(b));
+  EXPECT_EQ(holds.groups, io::Holds::Groups::first);
+  for (const ElementBlock& block : document.blocks) {
+    EXPECT_EQ(holds.nodes_each(block), block.nodes_each);
+    EXPECT_EQ(holds.kind(block), 3 - block.dim);
+    EXPECT_TRUE(holds.groups_of(block));
   }
 }
 
@@ -97,13 +99,13 @@ TEST(TetgenWrite, VoronoiThatItsFilesCannotSay) {
 TEST(TetgenWrite, KindByKind) {
   const test::TestFiles files;
   Document document = tetgen_document();
-  std::swap(document.blocks[0], document.blocks[2]);  // an edge, two faces, a tetrahedron
-  document.blocks[0].first = 0, document.blocks[1].first = 1, document.blocks[2].first = 3;
+  std::swap(document.blocks[0], document.blocks[3]);  // an edge, two faces, a tetrahedron
+  for (std::size_t b = 0; b < 4; ++b) document.blocks[b].first = b;
   document.element_values.clear();
   EXPECT_FALSE(io::plan_tetgen(document, false)->holds().element_tags);
   write_document(files.path("a.ele"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 0\n0 0 1 2 3\n");
-  EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 0\n0 2 3\n");
+  EXPECT_EQ(test::TestFiles::read(files.path("a.edge")), "1 1\n0 2 3 5\n");
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.ele"))), test::tetgen_text(document));
 }
 
