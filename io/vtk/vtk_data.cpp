@@ -10,6 +10,7 @@
 #include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
+#include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_words.hpp"
 
@@ -48,7 +49,7 @@ void VtkDataReader::attribute(const std::string& name, std::string_view word) {
   Column column{.name = vtk_decoded(in_.word())};
   column.components = kind->components;
   if (name == "color_scalars") {
-    add_role(column.name, word);
+    add_role(column, word);
     return colors(column);
   }
   if (kind->components == 0) column.components = in_.components();
@@ -61,14 +62,17 @@ void VtkDataReader::attribute(const std::string& name, std::string_view word) {
     }
   }
   in_.numbers(column, size_of_data(column));
-  add_role(column.name, word);
+  add_role(column, word);
   take(std::move(column));
 }
 
-// Arrays of entities and groups become what they say, and have no use for a role.
-void VtkDataReader::add_role(const std::string& array, std::string_view word) {
-  if (data_ == &piece_.cell_data && is_array_of_tags(array)) return;
-  roles_.push_back({array, std::string(word)});
+// Arrays of tags become what they say, and have no use for a role.
+void VtkDataReader::add_role(const Column& column, std::string_view word) {
+  if (data_ == &piece_.cell_data && may_be_tags(column) &&
+      std::any_of(tag_words.begin(), tag_words.end(),
+                  [&](const TagWord& w) { return w.word == column.name; }))
+    return;
+  roles_.push_back({column.name, std::string(word)});
 }
 
 // SCALARS, VECTORS and TENSORS are also just how an array of 1, 3 or 9 numbers each is written. They are a

@@ -36,7 +36,7 @@ class VtkDataReader {
   void finish(std::size_t points, std::size_t cells);
 
  private:
-  void add_role(const std::string& array, std::string_view word);
+  void add_role(const Column& column, std::string_view word);
   void take_roles();
   void table_of(const std::string& array, std::string_view table);
   void take(Column&& column);

@@ -25,8 +25,8 @@ class Maker {
                  document.points.size());
     if (!plan.entities.empty())
       of_blocks(plan.entities, [](const ElementBlock& block) { return block.entity; });
-    for (std::size_t k = 0; k < plan.groups; ++k)
-      of_blocks(vtk_group_array(k), [&](const ElementBlock& block) {
+    for (std::size_t k = 0; k < plan.groups.size(); ++k)
+      of_blocks(plan.groups[k], [&](const ElementBlock& block) {
         const auto& tags = document.tag_sets[static_cast<std::size_t>(block.groups)];
         return k < tags.size() ? tags[k] : 0;
       });

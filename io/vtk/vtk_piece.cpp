@@ -13,6 +13,7 @@
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 #include "io/model/tag_sets.hpp"
+#include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_piece.hpp"
@@ -82,13 +83,11 @@ class Adder {
     throw InputError(fmt::format("{}: {}", document_.path, message));
   }
 
-  // Takes the arrays of entities and groups out of the cell data.
+  // Takes the arrays of entities and groups out of the cell data. Zeros alone say nothing, and stay an array.
   void names() {
     const auto take = [&](std::string_view name, std::vector<std::int64_t>& to) {
       for (auto column = piece_.cell_data.begin(); column != piece_.cell_data.end(); ++column)
-        if (column->name == name && column->components == 1 &&
-            column->integers.size() == piece_.types.size() && column->reals.empty() &&
-            column->texts.empty()) {
+        if (column->name == name && may_be_tags(*column) && column->integers.size() == piece_.types.size()) {
           to = std::move(column->integers);
           piece_.cell_data.erase(column);
           // Entities and groups have no use for a role.
@@ -97,10 +96,17 @@ class Adder {
         }
       return false;
     };
-    if (!take("entity", entities_)) take("CellEntityIds", entities_);
+    for (const TagWord& word : tag_words)
+      if (word.tag == Tag::entity && take(word.word, entities_)) break;
     std::vector<std::int64_t> groups;
-    for (std::size_t k = 1; take(k == 1 ? "group" : fmt::format("group {}", k), groups); ++k)
-      groups_.push_back(std::move(groups));
+    for (const TagWord& word : tag_words)
+      if (word.tag == Tag::group && take(word.word, groups)) {
+        groups_.push_back(std::move(groups));
+        if (word.word != own_group_word && word.word != old_group_word) document_.group_word = word.word;
+        break;
+      }
+    if (groups_.empty()) return;
+    for (std::size_t k = 2; take(vtk_group_array(k), groups); ++k) groups_.push_back(std::move(groups));
   }
 
   void cells() {
@@ -279,9 +285,13 @@ class Adder {
 
 }  // namespace
 
-bool is_array_of_tags(const std::string& name) {
-  if (name == "entity" || name == "CellEntityIds" || name == "group") return true;
-  return name.starts_with("group ") && name.find_first_not_of("0123456789", 6) == std::string::npos;
+bool may_be_tags(const Column& column) {
+  return column.components == 1 && column.reals.empty() && column.texts.empty() &&
+         std::any_of(column.integers.begin(), column.integers.end(), [](std::int64_t i) { return i != 0; });
+}
+
+std::string vtk_group_array(std::size_t k) {
+  return fmt::format("group {}", k);
 }
 
 void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole) {

@@ -33,8 +33,9 @@ struct VtkPiece {
 /// parts. Pixels and voxels become quadrangles and hexahedra. Cells of types that no document has (Lagrange
 /// hexahedra, quadratic polygons, ...) are left out. All of these are listed as dropped. Bezier cells become
 /// elements of types of their own, with a warning. The nodes of a polyhedron are put in the order in which
-/// its faces name them. The cell data "entity" (or "CellEntityIds", Gmsh's name for it) and "group", "group
-/// 2", ... become entities and physical groups. Strings become integers with labels. `whole`: the file has
+/// its faces name them. The cell data that have one of the words in
+/// io/model/tag_words.hpp, and those called "group 2", "group 3", ..., become entities and physical groups.
+/// Strings become integers with labels. `whole`: the file has
 /// only this piece. Then cells keep numbers that no point has. InputError, naming the cell, where numbers
 /// contradict each other.
 void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole);
@@ -42,7 +43,11 @@ void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole);
 /// Appends an array that belongs to neither points nor cells: a table with one column of the same name.
 void add_vtk_field(Document& document, Column&& column);
 
-/// Whether cell data of this name become entities or groups, if they are integers.
-bool is_array_of_tags(const std::string& name);
+/// Whether cell data are looked at as tags, if their name is a word for these.
+bool may_be_tags(const Column& column);
+
+/// The name of the array with the k-th group of each element, from 2. The first has one of the words in
+/// io/model/tag_words.hpp.
+std::string vtk_group_array(std::size_t k);
 
 }  // namespace tetproof::io

@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "io/bytes/xml_text.hpp"
 #include "io/model/element_types.hpp"
+#include "io/model/tag_words.hpp"
 #include "io/model/values.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_group_names.hpp"
 #include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
@@ -88,13 +91,14 @@ std::size_t most_groups(const Document& document) {
   return most;
 }
 
-// Gives out names for arrays, each once. The names that the reader takes for entities and groups are not
-// given to other cell data.
+// Gives out names for arrays, each once.
 class Names {
  public:
-  std::string operator()(const std::string& wanted, bool of_cells = false) {
+  std::string operator()(
+      const std::string& wanted,
+      const std::function<bool(const std::string&)>& avoid = [](const std::string&) { return false; }) {
     std::string name = wanted.empty() ? "values" : wanted;
-    for (int k = 2; (of_cells && is_array_of_tags(name)) || !taken_.insert(name).second; ++k)
+    for (int k = 2; avoid(name) || !taken_.insert(name).second; ++k)
       name = fmt::format("{} #{}", wanted.empty() ? "values" : wanted, k);
     return name;
   }
@@ -103,11 +107,40 @@ class Names {
   std::set<std::string> taken_;
 };
 
+std::vector<std::string> names_of_groups(const Document& document) {
+  std::vector<std::string> names(most_groups(document));
+  for (std::size_t k = 1; k < names.size(); ++k) names[k] = vtk_group_array(k + 1);
+  if (!names.empty())
+    names[0] = !document.group_word.empty() ? document.group_word
+               : document.format == "medit" ? "medit:ref"
+                                            : own_group_word;
+  return names;
+}
+
+// Whether the reader would look at values as tags, if their name is a word for these.
+bool may_be_tags(const Values& values) {
+  return values.components == 1 &&
+         std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t i) { return i != 0; });
+}
+
+// Whether the reader would take cell data of this name for tags, beside those of the plan.
+bool is_taken_for_tags(const std::string& name, const VtkPlan& plan) {
+  const std::string groups = plan.groups.empty() ? "" : plan.groups[0];
+  if (!groups.empty() && name.starts_with("group ") &&
+      name.find_first_not_of("0123456789", 6) == std::string::npos)
+    return true;
+  bool has_entities = false, has_groups = false;
+  for (const TagWord& word : tag_words) {
+    if (word.word == name) return word.tag == Tag::entity ? !has_entities : !has_groups;
+    has_entities |= word.word == plan.entities;
+    has_groups |= word.word == groups;
+  }
+  return false;
+}
+
 // The columns that can be written. If a table has one column, of the same name, that is the array's name,
 // too.
-std::vector<VtkPlan::Field> fields_of(const Document& document) {
-  std::vector<VtkPlan::Field> fields;
-  Names names;
+void add_fields(const Document& document, Names& names, std::vector<VtkPlan::Field>& fields) {
   for (const Table& table : document.tables)
     for (const Column& column : table.columns) {
       if (!column.lengths.empty() || column.components < 1 ||
@@ -116,7 +149,6 @@ std::vector<VtkPlan::Field> fields_of(const Document& document) {
       const bool plain = table.columns.size() == 1 && column.name == table.name;
       fields.push_back({&table, &column, names(plain ? table.name : table.name + "." + column.name)});
     }
-  return fields;
 }
 
 // What both formats hold.
@@ -129,6 +161,9 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
   holds.groups_of = [&document](const ElementBlock& block) {  // 0 stands for none
     const auto& set = document.tag_sets[static_cast<std::size_t>(block.groups)];
     return std::find(set.begin(), set.end(), 0) == set.end();
+  };
+  holds.name = [names = names_in_vtk(document)](const GroupName& name) {
+    return std::find(names.begin(), names.end(), &name) != names.end();
   };
   holds.nodes_each = [](const ElementBlock& block) { return vtk_cell(block).nodes; };
 
@@ -155,7 +190,8 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     const Column& column = *in;
     if (table.columns.size() == 1 && column.name == table.name && name == table.name &&
         fits_its_type(column) &&
-        table.rows * static_cast<std::size_t>(column.components) == column_size(column))
+        table.rows * static_cast<std::size_t>(column.components) == column_size(column) &&
+        !is_taken_for_name(document, table))
       tables.insert(&table);
   }
   holds.table = [tables](const Table& table) { return tables.contains(&table); };
@@ -163,10 +199,6 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
 }
 
 }  // namespace
-
-std::string vtk_group_array(std::size_t k) {
-  return k == 0 ? "group" : fmt::format("group {}", k + 1);
-}
 
 bool are_texts(const Document& document, const Values& values, std::size_t items) {
   if (values.labels.empty() || !is_of_vtk(document) || !covers(values, items) ||
@@ -202,12 +234,21 @@ bool covers(const Values& values, std::size_t items) {
 }
 
 VtkPlan vtk_plan(const Document& document, const std::string& entities) {
-  VtkPlan plan{.groups = most_groups(document), .fields = fields_of(document)};
+  VtkPlan plan;
   if (has_entities(document)) plan.entities = entities;
-  Names of_nodes, of_cells;
+  plan.groups = names_of_groups(document);
+  Names of_nodes, of_cells, of_fields;
   for (const Values& values : document.node_values) plan.node_values.push_back(of_nodes(values.name));
   for (const Values& values : document.element_values)
-    plan.element_values.push_back(of_cells(values.name, true));
+    plan.element_values.push_back(of_cells(values.name, [&](const std::string& name) {
+      return may_be_tags(values) && is_taken_for_tags(name, plan);
+    }));
+  if (const auto named = names_in_vtk(document); !named.empty()) {
+    plan.group_names = std::make_shared<Table>(table_of_names(named));
+    for (const Column& column : plan.group_names->columns)
+      plan.fields.push_back({plan.group_names.get(), &column, of_fields(column.name)});
+  }
+  add_fields(document, of_fields, plan.fields);
   return plan;
 }
 

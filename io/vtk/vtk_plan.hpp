@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@
 namespace tetproof::io {
 
 struct VtkPlan {
-  std::string entities;    ///< the name of the cell data that has the tags of entities; empty: there is none
-  std::size_t groups = 0;  ///< how many arrays of cell data have physical groups: the most of any element
+  std::string entities;  ///< the name of the cell data that has the tags of entities; empty: there is none
+  std::vector<std::string> groups;  ///< the names of the cell data that have the first, second, ... group
   std::vector<std::string> node_values,
       element_values;  ///< the names of the arrays of each of the document's
 
@@ -26,12 +27,11 @@ struct VtkPlan {
     std::string name;
   };
   std::vector<Field> fields;
+  std::shared_ptr<const Table> group_names;  ///< as field data, for which a document has no table
 };
 /// `entities`: the name of the array of entity tags, if there is one.
 VtkPlan vtk_plan(const Document& document, const std::string& entities);
 
-/// Returns the name of the array with the k-th group of each element, from 0.
-std::string vtk_group_array(std::size_t k);
 /// Whether there is one value for each of `items` nodes or elements, in their order.
 bool covers(const Values& values, std::size_t items);
 

@@ -10,6 +10,7 @@
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_data.hpp"
+#include "io/vtk/vtk_group_names.hpp"
 #include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_legacy.hpp"
 #include "io/vtk/vtk_piece.hpp"
@@ -42,6 +43,7 @@ class Reader {
     }
     list_odd_types();
     add_vtk_piece(document_, std::move(piece_), true);
+    take_group_names(document_);
     return std::move(document_);
   }
 

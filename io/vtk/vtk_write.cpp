@@ -31,14 +31,14 @@ class Writer {
       if (c == '\n' || c == '\r' || c == '\0') c = ' ';
     file_.write(fmt::format("# vtk DataFile Version 4.2\n{}\n{}\nDATASET UNSTRUCTURED_GRID\n", title,
                             binary_ ? "BINARY" : "ASCII"));
-    if (!mesh_.field_data.empty()) {
-      file_.write(fmt::format("FIELD FieldData {}\n", mesh_.field_data.size()));
-      for (const VtkArray& each : mesh_.field_data) array(each, each.type);
-    }
     file_.write(fmt::format("POINTS {} double\n", document_.points.size()));
     numbers<double>(3, 3 * document_.points.size(),
                     [&](std::size_t i) { return document_.points[i / 3][static_cast<int>(i % 3)]; });
     cells();
+    if (!mesh_.field_data.empty()) {  // Gmsh reads no file in which this comes before the points
+      file_.write(fmt::format("FIELD FieldData {}\n", mesh_.field_data.size()));
+      for (const VtkArray& each : mesh_.field_data) array(each, each.type);
+    }
     data("POINT_DATA", document_.points.size(), mesh_.point_data);
     data("CELL_DATA", mesh_.elements.size(), mesh_.cell_data);
   }

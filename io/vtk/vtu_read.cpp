@@ -12,6 +12,7 @@
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_cells.hpp"
+#include "io/vtk/vtk_group_names.hpp"
 #include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_piece.hpp"
 #include "io/vtk/vtk_types.hpp"
@@ -56,6 +57,7 @@ class Reader {
     pieces(grid);
     list_unread(
         root, [&](const pugi::xml_node& node) { return file_.line_of(node); }, document_.dropped);
+    take_group_names(document_);
     return std::move(document_);
   }
 
@@ -100,8 +102,7 @@ class Reader {
     });
     for (const pugi::xml_node of : node.children(name))
       for (const pugi::xml_attribute attribute : of.attributes())
-        if (is_vtk_role(attribute.name()) && *attribute.value() != '\0' &&
-            !(std::string_view(name) == "CellData" && is_array_of_tags(attribute.value())))
+        if (is_vtk_role(attribute.name()) && *attribute.value() != '\0')
           roles.push_back({attribute.value(), attribute.name()});
   }
 

@@ -13,6 +13,7 @@
 
 #include "io/bytes/text_output.hpp"
 #include "io/bytes/xml_text.hpp"
+#include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_file_plan.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtk_types.hpp"
@@ -172,7 +173,8 @@ class Writer {
 
 class XmlPlan : public VtkFilePlan {
  public:
-  XmlPlan(const Document& document, bool binary) : VtkFilePlan(document, "entity", binary) {
+  XmlPlan(const Document& document, bool binary)
+      : VtkFilePlan(document, std::string(own_entity_word), binary) {
     holds_ = vtu_holds(document, plan_);
   }
 

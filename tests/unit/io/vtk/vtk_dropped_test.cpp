@@ -122,9 +122,9 @@ const std::vector<Case> of_vtu{
      {"attribute roles of values: 1 (\"v\" as Vectors)", "names of components: 1 (\"Kelvin\" of \"T\")",
       "information UNITS_LABEL: 1 (\"T\")"}},
     {"NoRolesOfEntitiesAndGroups",
-     {{"a.vtu", vtu(piece("<CellData Scalars=\"entity\" GlobalIds=\"group 2\"><DataArray type=\"Int32\" "
+     {{"a.vtu", vtu(piece("<CellData Scalars=\"entity\" GlobalIds=\"none\"><DataArray type=\"Int32\" "
                           "Name=\"entity\">7</DataArray></CellData>"))}},
-     {}},
+     {"attribute roles of values: 1 (\"none\" as GlobalIds)"}},
     {"Pieces", {{"a.vtu", vtu(piece() + piece())}}, {"division into pieces: 1 (2 pieces)"}},
     {"APieceWithoutPointsDividesNothing",
      {{"a.vtu",

@@ -64,7 +64,7 @@ TEST(VtkKinds, TypesAsVtkReadsThem) {
                             "l 1 1 vtktypeint64\n-9000000000\nd 1 1 double64\n0.5\n")));
   EXPECT_EQ(test::text_of(document, false),
             four_points +
-                "e 0 4 3/0 g p: 0 1 2 3\nv elements Label 1: 7\nv elements b 1: 1\nv elements u 1: 200\n"
+                "e 0 4 3/0 g7 p: 0 1 2 3\nv elements b 1: 1\nv elements u 1: 200\n"
                 "v elements l 1: -9000000000\nv elements d 1: 0.5\n");
   ASSERT_EQ(document.warnings.size(), 2U);
   EXPECT_EQ(document.warnings[0].substr(document.warnings[0].rfind('/') + 1),

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/vtk/vtk_group_names.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "io/bytes/xml_text.hpp"
+
+namespace tetproof::io {
+namespace {
+
+using Groups = std::set<std::pair<int, std::int64_t>>;  // dimension and number
+
+Groups groups_of_elements(const Document& document) {
+  Groups groups;
+  for (const ElementBlock& block : document.blocks)
+    if (block.count > 0)
+      for (const std::int64_t group : document.tag_sets[static_cast<std::size_t>(block.groups)])
+        groups.emplace(block.dim, group);
+  return groups;
+}
+
+bool is_name(const Table& table, const Groups& groups) {
+  if (table.columns.size() != 1 || table.columns[0].name != table.name) return false;
+  const std::vector<std::int64_t>& numbers = table.columns[0].integers;
+  return numbers.size() == 2 && numbers[1] >= 0 && numbers[1] <= 3 &&
+         groups.contains({static_cast<int>(numbers[1]), numbers[0]});
+}
+
+}  // namespace
+
+std::vector<const GroupName*> names_in_vtk(const Document& document) {
+  std::vector<const GroupName*> names;
+  if (document.group_names.empty()) return names;
+  const Groups groups = groups_of_elements(document);
+  std::set<std::string> taken;
+  for (const GroupName& name : document.group_names)
+    if (!name.name.empty() && is_xml_text(name.name) && groups.contains({name.dim, name.group}) &&
+        taken.insert(name.name).second)
+      names.push_back(&name);
+  return names;
+}
+
+Table table_of_names(const std::vector<const GroupName*>& names) {
+  Table table{.name = "groups", .rows = 2, .columns = {}};
+  for (const GroupName* name : names) {
+    const bool is_short = name->group <= std::numeric_limits<std::int32_t>::max() &&
+                          name->group >= std::numeric_limits<std::int32_t>::min();
+    table.columns.push_back({.name = name->name, .type = is_short ? "Int32" : "Int64"});
+    table.columns.back().integers = {name->group, name->dim};
+  }
+  return table;
+}
+
+void take_group_names(Document& document) {
+  if (document.tables.empty()) return;
+  const Groups groups = groups_of_elements(document);
+  std::erase_if(document.tables, [&](const Table& table) {
+    if (!is_name(table, groups)) return false;
+    const std::vector<std::int64_t>& numbers = table.columns[0].integers;
+    document.group_names.push_back({static_cast<int>(numbers[1]), numbers[0], table.name});
+    return true;
+  });
+}
+
+bool is_taken_for_name(const Document& document, const Table& table) {
+  return is_name(table, groups_of_elements(document));
+}
+
+}  // namespace tetproof::io
