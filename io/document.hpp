@@ -267,12 +267,19 @@ TetRegions tet_regions(const Document&);
 /// of a face. They are welded by exact equality: the first of equal ones stays (-0 equals 0; NaN equals
 /// nothing). A triangle stays as it is, degenerate or not. Of a larger polygon, corners that repeat the one
 /// before are dropped first: a quadrangle with a collapsed side is a triangle, and one that collapses
-/// altogether leaves one degenerate triangle. Planar and convex polygons are cut into a fan; the rule is in
-/// io/surface/polygons.hpp.
+/// altogether leaves one degenerate triangle. Polygons, and TetGen's facets of several polygons and with
+/// holes, are cut by the rules of io/surface/cutting.hpp: convex ones into a fan, others by a constrained
+/// Delaunay triangulation, and quadrangles that are not planar along their shorter diagonal.
+///
+/// Facets of a .poly or .smesh, which have no direction and may stand inside of solids: what is left is the
+/// surface of the solids, wound outwards (io/surface/solid_boundary.hpp), unless the facets enclose none.
 ///
 /// InputError, naming the element by its number: there are no faces; a face names a node that does not exist,
-/// has fewer than three corners, is not planar, not convex, or of a facet with several polygons or holes.
+/// has fewer than three corners, or crosses itself.
 TriangleSurface surface_of(const Document&);
+/// Likewise; `warnings` gets a line if polygons are not planar (how many, and the largest bend), and one if
+/// facets were turned or left out.
+TriangleSurface surface_of(const Document&, std::vector<std::string>& warnings);
 
 /// Tetrahedra in volume 1, numbered from 1. An index i that names no point (outside [0, points)) becomes the
 /// unknown number i + 1.

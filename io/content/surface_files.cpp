@@ -40,7 +40,7 @@ SurfaceFile read_surface_file(const std::string& path, const ReadOptions& option
   const std::string read_as = std::move(read.read_as);
   try {
     SurfaceNumbering numbering;
-    TriangleSurface surface = io::surface_of_read(std::move(read), file, numbering);
+    TriangleSurface surface = io::surface_of_read(std::move(read), file, numbering, warnings);
     return {std::move(surface), std::move(numbering), std::move(warnings), std::move(dropped)};
   } catch (const InputError& error) {
     throw InputError(error.what() + read_as);

@@ -3,9 +3,12 @@
 // description.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/document.hpp"
 #include "io/losses.hpp"
@@ -61,9 +64,9 @@ struct Holds {
 
   /// How many nodes of each element of a block are written: all, or only its corners. 0: no element is.
   std::function<int(const ElementBlock&)> nodes_each = [](const ElementBlock&) { return 0; };
-  /// For formats that write a polygon as a fan of triangles: the corner where the fan starts; -1: the element
-  /// is left out. Asked for elements of which `nodes_each` is 0. Not set: all of these are left out.
-  std::function<std::ptrdiff_t(const ElementBlock&, const Index* nodes)> cut_at;
+  /// For formats that write a polygon as triangles: appends those of element `e` of the block. False: the
+  /// element is left out. Asked for elements of which `nodes_each` is 0. Not set: all of these are left out.
+  std::function<bool(const ElementBlock&, std::size_t e, std::vector<std::array<Index, 3>>&)> cut_into;
   /// For formats that list elements by kind: a number for the kind of a block. Kinds come back in ascending
   /// order. The same number for all blocks: any order of blocks comes back.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };

@@ -161,7 +161,8 @@ class MeshLosses : LossFinder {
     auto cut = written_.cut().begin();
     for (const Written& written : written_.blocks()) {
       count += written.count;
-      for (; cut != written_.cut().end() && cut->block < written.block; ++cut) position += cut->corners - 2;
+      for (; cut != written_.cut().end() && cut->block < written.block; ++cut)
+        position += static_cast<std::int64_t>(cut->count);
       for (std::size_t e = 0; e < written.block->count && (plain || same || !begun); ++e) {
         if (!written_.comes_back(written, e)) continue;
         const std::size_t place = written.block->first + e;

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "io/model/element_types.hpp"
-
 namespace tetproof::io {
 
 WrittenPart::WrittenPart(const Document& document, const Holds& holds) : document_(document) {
   for (const ElementBlock& block : document.blocks) {
     const int each = holds.nodes_each(block);
     if (each == 0) {
-      if (holds.cut_at) find_cut(block, holds);
+      if (holds.cut_into) find_cut(block, holds);
       continue;
     }
     std::size_t count = block.count;
@@ -40,11 +38,9 @@ WrittenPart::WrittenPart(const Document& document, const Holds& holds) : documen
 }
 
 void WrittenPart::find_cut(const ElementBlock& block, const Holds& holds) {
-  const ElementType* type = element_type(block.type);
-  const int corners = type ? type->corners : block.nodes_each;
   for (std::size_t e = 0; e < block.count; ++e) {
-    const std::ptrdiff_t start = holds.cut_at(block, nodes_of(block, e));
-    if (start >= 0) cut_.push_back({&block, e, static_cast<int>(start), corners});
+    const std::size_t first = triangles_.size();
+    if (holds.cut_into(block, e, triangles_)) cut_.push_back({&block, e, first, triangles_.size() - first});
   }
 }
 
@@ -64,8 +60,8 @@ std::vector<Index> WrittenPart::in_order_of_elements() const {
   auto cut = cut_.begin();
   const auto cut_before = [&](const ElementBlock* block) {
     for (; cut != cut_.end() && (!block || cut->block < block); ++cut)
-      for (int k = 0; k < cut->corners; ++k)
-        name(nodes_of(*cut->block, cut->element)[(cut->start + k) % cut->corners]);
+      for (std::size_t t = cut->first; t < cut->first + cut->count; ++t)
+        for (const Index node : triangles_[t]) name(node);
   };
   for (const Block& written : blocks_) {
     cut_before(written.block);

@@ -2,6 +2,7 @@
 // Works out which elements and nodes of a document come back from a file of a format, and in which order.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,11 +22,11 @@ class WrittenPart {
 
   WrittenPart(const Document& document, const Holds& holds);
 
-  /// An element that comes back as a fan of triangles.
+  /// An element that comes back as triangles.
   struct Cut {
     const ElementBlock* block;
-    std::size_t element;  ///< in the block
-    int start, corners;   ///< of the fan
+    std::size_t element;       ///< in the block
+    std::size_t first, count;  ///< its triangles in `triangles_`
   };
 
   const std::vector<Cut>& cut() const { return cut_; }          ///< in the document's order
@@ -50,6 +51,7 @@ class WrittenPart {
   const Document& document_;
   std::vector<Block> blocks_;
   std::vector<Cut> cut_;
+  std::vector<std::array<Index, 3>> triangles_;  // of nodes
   bool all_nodes_ = true;
   std::vector<Index> nodes_;
 };

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "io/model/values.hpp"
 #include "io/stl/stl.hpp"
-#include "io/surface/polygons.hpp"
 #include "io/surface/surface_document.hpp"
 
 namespace tetproof::io {
@@ -56,14 +56,49 @@ const Values* attributes_of(const Document& document) {
   return nullptr;
 }
 
-bool triangles_only(const ElementBlock& block) {
-  return corners_kept(block) == 3;
+// Whether the elements are triangles that are written as they are. Those of a facet with holes are cut with
+// it.
+bool triangles_only(const Document& document, const ElementBlock& block) {
+  return corners_kept(block) == 3 &&
+         std::none_of(document.facets.begin(), document.facets.end(), [&](const Facet& facet) {
+           return facet.first < block.first + block.count && block.first < facet.first + facet.polygons;
+         });
 }
 
 }  // namespace
 
-std::ptrdiff_t start_of_fan(const std::vector<Eigen::Vector3d>& points, const Index* nodes, std::size_t n) {
-  return n == 3 ? 0 : fan_of({nodes, n}, points).start;
+bool StlCutter::cut(const ElementBlock& block, std::size_t e, std::vector<std::array<Index, 3>>& triangles) {
+  const auto corners = static_cast<std::size_t>(corners_kept(block));
+  const Index* nodes =
+      document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
+  if (corners < 3 || !nodes_exist(nodes, block.nodes_each)) return false;
+  if (!document_.facets.empty())
+    if (const Facet* facet = facets_.of(block.first + e))
+      return cut_facet(*facet, block.first + e, triangles);
+  cut_polygon({nodes, corners}, document_.points, cut_);
+  if (!cut_.fault.empty()) return false;
+  // A polygon with sides that it runs back and forth outside of itself would come back as another one.
+  if (cut_.triangles.size() != corners - 2) return false;
+  bends_.add(cut_, corners);
+  triangles.insert(triangles.end(), cut_.triangles.begin(), cut_.triangles.end());
+  return true;
+}
+
+bool StlCutter::cut_facet(const Facet& facet, std::size_t element,
+                          std::vector<std::array<Index, 3>>& triangles) {
+  facets_.cut(facet, {}, document_.points, cut_);
+  if (!cut_.fault.empty() || cut_.triangles.empty()) return false;
+  for (const ElementBlock& block : document_.blocks) {
+    const std::size_t first = std::max(block.first, facet.first);
+    if (corners_kept(block) < 3 || first >= std::min(block.first + block.count, facet.first + facet.polygons))
+      continue;
+    if (first == element) {
+      bends_.add(cut_, 0);
+      triangles.insert(triangles.end(), cut_.triangles.begin(), cut_.triangles.end());
+    }
+    break;
+  }
+  return true;
 }
 
 StlPlan stl_plan(const Document& document) {
@@ -75,11 +110,12 @@ Holds stl_holds(const Document& document, const StlPlan& plan, bool binary) {
   holds.which_nodes = Holds::Nodes::of_elements;
   holds.nodes_by_place = true;
   holds.single = binary;
-  holds.nodes_each = [](const ElementBlock& block) { return triangles_only(block) ? 3 : 0; };
-  holds.cut_at = [&document](const ElementBlock& block, const Index* nodes) -> std::ptrdiff_t {
-    const int corners = corners_kept(block);
-    if (corners < 4 || !nodes_exist(nodes, block.nodes_each)) return -1;
-    return start_of_fan(document.points, nodes, static_cast<std::size_t>(corners));
+  holds.nodes_each = [&document](const ElementBlock& block) {
+    return triangles_only(document, block) ? 3 : 0;
+  };
+  holds.cut_into = [cutter = StlCutter(document)](const ElementBlock& block, std::size_t e,
+                                                  std::vector<std::array<Index, 3>>& triangles) mutable {
+    return cutter.cut(block, e, triangles);
   };
   holds.title = document.title.empty() ||
                 (binary && document.title == stl_title(document.title) && document.title.size() <= 80);

@@ -3,12 +3,14 @@
 // held share this plan.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "io/document.hpp"
 #include "io/loss/holds.hpp"
 #include "io/stl/stl_solids.hpp"
+#include "io/surface/cutting.hpp"
 
 namespace tetproof::io {
 
@@ -26,9 +28,24 @@ struct StlPlan {
 StlPlan stl_plan(const Document& document);
 Holds stl_holds(const Document& document, const StlPlan& plan, bool binary);
 
-/// Returns the corner where the fan of triangles of a polygon of `corners` nodes starts; -1: the polygon is
-/// not planar and convex, and is not written.
-std::ptrdiff_t start_of_fan(const std::vector<Eigen::Vector3d>& points, const Index* nodes,
-                            std::size_t corners);
+/// Cuts polygons into the triangles that are written, by the rules of io/surface/cutting.hpp.
+class StlCutter {
+ public:
+  explicit StlCutter(const Document& document) : document_(document), facets_(document) {}
+
+  /// Appends the triangles of element `e` of a block; false: it is not written, because it is no face, names
+  /// a node that does not exist, or crosses itself. All triangles of a facet of several polygons come with
+  /// its first face.
+  bool cut(const ElementBlock& block, std::size_t e, std::vector<std::array<Index, 3>>& triangles);
+  const Bends& bends() const { return bends_; }
+
+ private:
+  bool cut_facet(const Facet& facet, std::size_t element, std::vector<std::array<Index, 3>>& triangles);
+
+  const Document& document_;
+  const Facets facets_;
+  Cut cut_;
+  Bends bends_;
+};
 
 }  // namespace tetproof::io

@@ -19,7 +19,7 @@
 namespace tetproof::io {
 namespace {
 
-struct Facet {
+struct WrittenFacet {
   std::array<Index, 3> corners;
   std::size_t element;
 };
@@ -36,27 +36,16 @@ Eigen::Vector3f normal(const std::vector<Eigen::Vector3d>& points, const std::ar
   return (n / length).cast<float>() + Eigen::Vector3f::Zero();  // without -0
 }
 
-// Adds the triangles of a polygon; none if it is not written.
-void add_fan(std::vector<Facet>& facets, const std::vector<Eigen::Vector3d>& points,
-             const KeptElement& face) {
-  const auto n = static_cast<std::size_t>(face.corners);
-  const std::ptrdiff_t begin = start_of_fan(points, face.nodes, n);
-  if (begin < 0) return;
-  const auto start = static_cast<std::size_t>(begin);
-  for (std::size_t i = 1; i + 1 < n; ++i)
-    facets.push_back(
-        {{face.nodes[start], face.nodes[(start + i) % n], face.nodes[(start + i + 1) % n]}, face.element});
-}
-
-std::vector<Facet> facets_of(const Document& document, const StlSolid& solid) {
-  std::vector<Facet> facets;
-  for (const ElementBlock* block : solid.blocks) {
-    const int corners = corners_kept(*block);
-    const Index* node = document.connectivity.data() + block->nodes;
-    for (std::size_t e = 0; e < block->count; ++e, node += block->nodes_each)
-      if (nodes_exist(node, block->nodes_each))
-        add_fan(facets, document.points, {block->first + e, corners, node});
-  }
+std::vector<WrittenFacet> facets_of(const Document& document, const StlSolid& solid) {
+  std::vector<WrittenFacet> facets;
+  StlCutter cutter(document);
+  std::vector<std::array<Index, 3>> triangles;
+  for (const ElementBlock* block : solid.blocks)
+    for (std::size_t e = 0; e < block->count; ++e) {
+      triangles.clear();
+      if (!cutter.cut(*block, e, triangles)) continue;
+      for (const auto& triangle : triangles) facets.push_back({triangle, block->first + e});
+    }
   return facets;
 }
 
@@ -72,7 +61,7 @@ std::string header_of(const std::string& title) {
 }
 
 void write_binary(AtomicFile& file, const Document& document, const StlPlan& plan) {
-  std::vector<std::vector<Facet>> solids;
+  std::vector<std::vector<WrittenFacet>> solids;
   std::size_t count = 0;
   for (const StlSolid& solid : plan.solids) {
     solids.push_back(facets_of(document, solid));
@@ -84,9 +73,9 @@ void write_binary(AtomicFile& file, const Document& document, const StlPlan& pla
   header.resize(stl_header_bytes);
   store(header.data() + 80, static_cast<std::uint32_t>(count), std::endian::little);
   file.write(header);
-  for (const std::vector<Facet>& facets : solids)
+  for (const std::vector<WrittenFacet>& facets : solids)
     write_items(file, facets.size(), stl_facet_bytes, [&](std::size_t i, char* to) {
-      const Facet& facet = facets[i];
+      const WrittenFacet& facet = facets[i];
       const Eigen::Vector3f n = normal(document.points, facet.corners);
       for (int k = 0; k < 3; ++k) to = store(to, n[k], std::endian::little);
       for (const Index corner : facet.corners)
@@ -98,7 +87,7 @@ void write_binary(AtomicFile& file, const Document& document, const StlPlan& pla
 }
 
 void write_solid(AtomicFile& file, const std::vector<Eigen::Vector3d>& points,
-                 const std::vector<Facet>& facets, std::string name) {
+                 const std::vector<WrittenFacet>& facets, std::string name) {
   if (!name.empty()) name.insert(name.begin(), ' ');
   file.write(fmt::format("solid{}\n", name));
   write_items(file, facets.size(), 512, [&](std::size_t i, char* to) {
@@ -147,6 +136,17 @@ class StlFilePlan : public OneFilePlan {
         plan_(stl_plan(part_.document())),
         binary_(binary) {
     holds_ = part_.holds(stl_holds(part_.document(), plan_, binary));
+  }
+
+  std::string warning(const std::string& path) override {
+    StlCutter cutter(document_);
+    std::vector<std::array<Index, 3>> triangles;
+    for (const StlSolid& solid : plan_.solids)
+      for (const ElementBlock* block : solid.blocks)
+        for (std::size_t e = 0; corners_kept(*block) > 3 && e < block->count; ++e, triangles.clear())
+          cutter.cut(*block, e, triangles);
+    const std::string bends = cutter.bends().text();
+    return bends.empty() ? bends : path + ": " + bends;
   }
 
  private:

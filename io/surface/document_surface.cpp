@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,7 +15,8 @@
 #include "io/error.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
-#include "io/surface/polygons.hpp"
+#include "io/surface/cutting.hpp"
+#include "io/surface/solid_boundary.hpp"
 #include "io/surface/surface_numbers.hpp"
 
 namespace tetproof {
@@ -52,19 +54,13 @@ class Cutter {
   Cutter(const Document& document, std::vector<Eigen::Vector3d> points, const Places* places)
       : document_(document),
         places_(places),
+        facets_(document),
         points_(points.size()),
         numbers_(document, points_, corners_of_faces) {
     surface_.vertices = std::move(points);
   }
 
-  TriangleSurface take(bool welded) {
-    if (!document_.facets.empty()) {
-      const Facet& facet = document_.facets.front();
-      fail(facet.first,
-           fmt::format("is of a facet of {} and {}, expected one polygon without holes; cut it into "
-                       "triangles",
-                       counted(facet.polygons, "polygons"), counted(facet.holes.size(), "holes")));
-    }
+  TriangleSurface take(bool welded, std::vector<std::string>& warnings) {
     std::size_t triangles = 0;
     for (const ElementBlock& block : document_.blocks) {
       check(block);
@@ -84,6 +80,10 @@ class Cutter {
       for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
         add({node, static_cast<std::size_t>(corners)}, block.first + e);
     }
+    const std::string path = document_.path.empty() ? "" : document_.path + ": ";
+    if (const std::string bends = bends_.text(); !bends.empty()) warnings.push_back(path + bends);
+    if (const std::string solids = keep_boundary_of_solids(); !solids.empty())
+      warnings.push_back(path + solids);
     return std::move(surface_);
   }
   SurfaceNumbering numbering() { return std::move(numbers_).take(); }
@@ -103,7 +103,9 @@ class Cutter {
   void check(const ElementBlock& block) const {
     if (block.count == 0) return;
     if (is_thin_face(document_, block))
-      fail(block.first, fmt::format("has {}, expected at least 3", counted(block.nodes_each, "corners")));
+      for (std::size_t e = block.first; e < block.first + block.count; ++e)
+        if (!facet_of(e))
+          fail(e, fmt::format("has {}, expected at least 3", counted(block.nodes_each, "corners")));
     if (dimension(block) == 2 && corners_of_faces(block) == 0)
       fail(block.first,
            fmt::format("of type {} is neither a triangle, a quadrangle nor a polygon", block.type));
@@ -121,9 +123,12 @@ class Cutter {
     for (const ElementBlock& block : document_.blocks) {
       const int corners = corners_of_faces(block);
       const Index* node = document_.connectivity.data() + block.nodes;
-      for (std::size_t e = 0; e < block.count; ++e)
+      for (std::size_t e = 0; e < block.count; ++e) {
+        const bool all_corners = facet_of(block.first + e) != nullptr;
         for (int k = 0; k < block.nodes_each; ++k, ++node)
-          if (*node >= 0) uses[*node] = std::max<unsigned char>(uses[*node], k < corners ? corner : used);
+          if (*node >= 0)
+            uses[*node] = std::max<unsigned char>(uses[*node], k < corners || all_corners ? corner : used);
+      }
     }
     moved_.resize(uses.size());
     Index kept = 0;
@@ -149,10 +154,22 @@ class Cutter {
       if (static_cast<std::size_t>(moved) < welded.size()) moved = welded[static_cast<std::size_t>(moved)];
   }
 
+  const Facet* facet_of(std::size_t element) const {
+    return document_.facets.empty() ? nullptr : facets_.of(element);
+  }
   void add(std::span<const Index> face, std::size_t element) {
-    cut(face, element);
+    if (const Facet* facet = facet_of(element)) {  // cut once, with its first face
+      if (facet == last_facet_) return;
+      last_facet_ = facet;
+      cut_facet_of(*facet, element);
+    } else {
+      cut(face, element);
+    }
     numbers_.add(element, surface_.triangles.size());
   }
+  void cut_facet_of(const Facet& facet, std::size_t element);
+  std::string keep_boundary_of_solids();
+  void take_cut(std::size_t element, const std::string& what, std::size_t corners);
   void cut(std::span<const Index> face, std::size_t element);
   std::string unknown_corner(Index corner) const;
 
@@ -160,6 +177,10 @@ class Cutter {
 
   const Document& document_;
   const Places* places_;
+  const Facets facets_;
+  const Facet* last_facet_ = nullptr;
+  Cut cut_;  // of the face at hand
+  Bends bends_;
   const std::size_t points_;    // how many the document has
   std::vector<Index> moved_;    // the new position of each point; empty: as it was
   std::vector<Index> corners_;  // of the face at hand
@@ -187,33 +208,63 @@ void Cutter::cut(std::span<const Index> face, std::size_t element) {
     if (corner < 0) fail(element, unknown_corner(corner));
     corners_.push_back(position(corner));
   }
-  auto& triangles = surface_.triangles;
   const std::array<Index, 3> as_named{corners_[0], corners_[1], corners_[2]};
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
   const std::size_t n = corners_.size();
   if (n < 3) {
-    triangles.push_back(as_named);
+    surface_.triangles.push_back(as_named);
     return;
   }
-  std::size_t start = 0;
-  if (n > 3) {
-    const Fan fan = fan_of(corners_, surface_.vertices);
-    if (fan.start < 0)
-      fail(element, fmt::format("with {} corners {}; cut it into triangles", face.size(), fan.fault));
-    start = static_cast<std::size_t>(fan.start);
-  }
-  for (std::size_t i = 1; i + 1 < n; ++i)
-    triangles.push_back({corners_[start], corners_[(start + i) % n], corners_[(start + i + 1) % n]});
+  cut_polygon(corners_, surface_.vertices, cut_);
+  take_cut(element, fmt::format("with {}", counted(face.size(), "corners")), n);
+}
+
+void Cutter::cut_facet_of(const Facet& facet, std::size_t element) {
+  facets_.cut(facet, moved_, surface_.vertices, cut_);
+  take_cut(element,
+           fmt::format("of a facet of {} and {}", counted(facet.polygons, "polygons"),
+                       counted(facet.holes.size(), "holes")),
+           0);
+}
+
+void Cutter::take_cut(std::size_t element, const std::string& what, std::size_t corners) {
+  if (!cut_.fault.empty()) fail(element, what + " " + cut_.fault);
+  bends_.add(cut_, corners);
+  surface_.triangles.insert(surface_.triangles.end(), cut_.triangles.begin(), cut_.triangles.end());
+}
+
+// In a .poly or .smesh the direction of facets has no meaning, and they may stand inside. Returns what was
+// done.
+std::string Cutter::keep_boundary_of_solids() {
+  const bool of_boundary =
+      std::any_of(document_.blocks.begin(), document_.blocks.end(),
+                  [](const ElementBlock& block) { return block.of_boundary && block.count > 0; });
+  if (!of_boundary) return {};
+  std::optional<SolidBoundary> solids =
+      solid_boundary(surface_.vertices, surface_.triangles, document_.holes);
+  if (!solids) return {};
+  const std::size_t left_out = surface_.triangles.size() - solids->triangles.size();
+  if (left_out == 0 && solids->turned == 0) return {};
+  surface_.triangles = std::move(solids->triangles);
+  numbers_.keep_triangles(solids->from);
+  std::string did = "the surface of the solids: ";
+  if (left_out > 0)
+    did += fmt::format("{} inside of them or of holes left out", counted(left_out, "triangles"));
+  if (solids->turned > 0)
+    did +=
+        fmt::format("{}{} turned outwards", left_out > 0 ? ", " : "", counted(solids->turned, "triangles"));
+  return did;
 }
 
 }  // namespace
 
-TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering) {
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering,
+                                std::vector<std::string>& warnings) {
   const Places places{file, read.places, read.text};
   std::vector<Eigen::Vector3d> points = std::move(read.document.points);
   Cutter cutter(read.document, std::move(points), read.places.empty() ? nullptr : &places);
-  TriangleSurface surface = cutter.take(read.welded);
+  TriangleSurface surface = cutter.take(read.welded, warnings);
   numbering = cutter.numbering();
   return surface;
 }
@@ -221,7 +272,12 @@ TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, Surf
 }  // namespace io
 
 TriangleSurface surface_of(const Document& document) {
-  return io::Cutter(document, document.points, nullptr).take(false);
+  std::vector<std::string> warnings;
+  return surface_of(document, warnings);
+}
+
+TriangleSurface surface_of(const Document& document, std::vector<std::string>& warnings) {
+  return io::Cutter(document, document.points, nullptr).take(false, warnings);
 }
 
 }  // namespace tetproof

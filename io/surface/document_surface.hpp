@@ -9,7 +9,9 @@
 namespace tetproof::io {
 
 /// `surface_of(read.document)`, see io/document.hpp. The points are moved out of the document. An error names
-/// the element's line or byte in `file` where `read.places` tells it. `numbering` gets the file's numbers.
-TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering);
+/// the element's line or byte in `file` where `read.places` tells it. `numbering` gets the file's numbers,
+/// `warnings` what is not planar.
+TriangleSurface surface_of_read(ReadDocument&& read, const InputFile& file, SurfaceNumbering& numbering,
+                                std::vector<std::string>& warnings);
 
 }  // namespace tetproof::io

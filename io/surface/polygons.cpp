@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/surface/polygons.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,11 @@
 namespace tetproof::io {
 
 using Eigen::Vector3d;
+
+double planar_tolerance(const Vector3d& low, const Vector3d& high) {
+  const double size = (high - low).stableNorm();  // the squares may under- or overflow
+  return std::max(1e-4 * size, 1e-6 * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff());
+}
 
 Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) {
   const auto n = static_cast<std::ptrdiff_t>(corners.size());
@@ -22,10 +25,9 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     mean += (point(i) - point(0)) / n;
   }
   mean += point(0);
-  const double size = (high - low).stableNorm();  // the squares may under- or overflow
-  const double tolerance = std::max(1e-4 * size, 1e-6 * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff());
+  const double size = (high - low).stableNorm(), tolerance = planar_tolerance(low, high);
   if (!std::isfinite(size) || !mean.allFinite())
-    return {-1, "has a coordinate that is not finite or too large"};
+    return {.shape = Fan::Shape::broken, .fault = "has a coordinate that is not finite or too large"};
 
   Vector3d normal = Vector3d::Zero();  // Newell's; in units of the polygon's size, as all products below
   for (std::ptrdiff_t i = 0; i < n; ++i)
@@ -37,15 +39,14 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     along.normalize();
     for (std::ptrdiff_t i = 1; i < n; ++i)
       if (((point(i) - point(0)) / size).cross(along).norm() * size > tolerance)
-        return {-1, "is not convex: it crosses itself"};
-    return {0, {}};
+        return {.shape = Fan::Shape::broken, .fault = "crosses itself"};
+    return {};
   }
   normal.normalize();
   double off = 0;
   for (std::ptrdiff_t i = 0; i < n; ++i) off = std::max(off, std::abs(normal.dot(point(i) - mean)));
-  if (!(off <= tolerance))
-    return {-1,
-            fmt::format("is not planar: a corner is {:.3g} off its plane, allowed {:.3g}", off, tolerance)};
+  if (!(off <= tolerance)) return {.shape = Fan::Shape::bent, .normal = normal};
+  const Fan concave{.shape = Fan::Shape::concave, .normal = normal};
 
   // The distance of each corner outwards of the line through its neighbours, and the sum of the turns.
   std::vector<double> outwards(n);
@@ -56,10 +57,9 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     const double chord = (before + after).norm();
     outwards[i] = chord > 0 ? cross / chord * size : 0;
     turned += std::atan2(cross, before.dot(after));
-    if (outwards[i] < -tolerance)
-      return {-1, fmt::format("is not convex: it turns inwards at corner {}", i + 1)};
+    if (outwards[i] < -tolerance) return concave;
   }
-  if (turned > 3 * std::numbers::pi) return {-1, "is not convex: it winds more than once around"};
+  if (turned > 3 * std::numbers::pi) return concave;
 
   std::ptrdiff_t start = 0;
   double best = -1;
@@ -74,8 +74,8 @@ Fan fan_of(std::span<const Index> corners, const std::vector<Vector3d>& points) 
     const Vector3d a = (point(start + i) - apex) / size, b = (point(start + i + 1) - apex) / size;
     backwards -= std::min(0.0, normal.dot(a.cross(b)) / 2);
   }
-  if (backwards * size > tolerance) return {-1, "is not convex"};
-  return {start, {}};
+  if (backwards * size > tolerance) return concave;
+  return {.start = static_cast<std::size_t>(start), .normal = normal};
 }
 
 }  // namespace tetproof::io

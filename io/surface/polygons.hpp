@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rule by which polygons are cut into triangles, the same for every format.
+// Tells which polygons are planar and convex, and where their fans of triangles start.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace tetproof::io {
 
-/// The corner at which the fan of a planar and convex polygon starts; -1 and the reason if it is not both.
+/// What a polygon is: convex and planar polygons are cut into fans, others by io/surface/cutting.hpp.
 ///
 /// The rule has a tolerance, because coordinates that are rounded to float32 or to six digits are never
 /// exactly planar or convex: t = max(1e-4 x diagonal of the polygon's box, 1e-6 x its largest absolute
@@ -25,9 +25,19 @@ namespace tetproof::io {
 /// points in the middle of a side make no degenerate triangle. If there is none, it starts at the corner
 /// whose neighbours are farthest off that line.
 struct Fan {
-  std::ptrdiff_t start = -1;
+  enum class Shape {
+    convex,   ///< and planar
+    concave,  ///< planar, and not convex
+    bent,     ///< not planar
+    broken,   ///< cannot be cut; `fault` says why
+  };
+  Shape shape = Shape::convex;
+  std::size_t start = 0;                             ///< of a convex one: the corner where its fan starts
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< Newell's, of length 1; 0 of corners on a line
   std::string fault;
 };
+/// The tolerance t of points in the box from `low` to `high`.
+double planar_tolerance(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
 Fan fan_of(std::span<const Index> corners, const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace tetproof::io

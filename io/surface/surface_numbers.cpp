@@ -12,7 +12,7 @@ SurfaceNumbers::SurfaceNumbers(const Document& document, std::size_t points,
       points_(points),
       counts_faces_(document.format == "stl" || document.format == "off" || document.format == "obj" ||
                     document.format == "ply") {
-  bool cut = false, others = false;
+  bool cut = !document.facets.empty(), others = false;
   for (const ElementBlock& block : document.blocks) {
     cut = cut || (block.count > 0 && corners_of(block) > 3);
     others = others || (block.count > 0 && corners_of(block) == 0);
@@ -52,6 +52,13 @@ void SurfaceNumbers::list(std::size_t element, std::size_t triangles) {
   numbering_.triangles.resize(triangles, counts_faces_
                                              ? document_.first_node + static_cast<std::int64_t>(faces_)
                                              : document_.element_tag(element));
+}
+
+void SurfaceNumbers::keep_triangles(std::span<const std::size_t> kept) {
+  std::vector<std::int64_t> numbers;
+  for (const std::size_t triangle : kept)
+    numbers.push_back(numbering_.triangle(static_cast<Index>(triangle)));
+  numbering_.triangles = std::move(numbers);
 }
 
 SurfaceNumbering SurfaceNumbers::take() && {

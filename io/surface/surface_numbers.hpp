@@ -34,6 +34,9 @@ class SurfaceNumbers {
     ++faces_;
   }
 
+  /// Only the triangles `kept` are left, after all faces have been added.
+  void keep_triangles(std::span<const std::size_t> kept);
+
   SurfaceNumbering take() &&;
 
  private:

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -57,8 +58,8 @@ class Cutting {
       if (is_triangle(element)) --surplus_[{element.nodes[0], element.nodes[1], element.nodes[2]}];
   }
 
-  // Tries until no triangle is left over. If polygons name nodes several times, one fan may be part of
-  // another one.
+  // Tries until no triangle is left over. If polygons name nodes several times, the triangles of one may be
+  // part of another one.
   void find() {
     for (const auto& [corners, more] : surplus_) left_ += static_cast<std::size_t>(std::max(more, 0));
     if (left_ > 0) find_from(0, 0);
@@ -76,17 +77,17 @@ class Cutting {
     if (b == before_.size() || ++tries_ > 100000) return false;
     const std::size_t n = corners_to_cut(before_[b]);
     const auto cut_at = [&](std::size_t e) {
-      if (n < 4 || e + n > after_.size() + 2 || !is_fan(before_[b], n, e)) return false;
+      if (n < 4 || e + n > after_.size() + 2 || !cover(before_[b], n, e)) return false;
       claim(b, e, n - 2, 1);
       if (find_from(b + 1, e + n - 2)) return true;
       claim(b, e, n - 2, -1);
       return false;
     };
-    // Most likely the fan follows the triangles of the elements before the polygon.
+    // Most likely they follow the triangles of the elements before the polygon.
     std::size_t place = 0;
     for (std::size_t i = 0; i < b; ++i)
       place += is_triangle(before_[i]) ? 1 : pairs_.cut_after[i] != none ? corners_to_cut(before_[i]) - 2 : 0;
-    if (place >= from && cut_at(place)) return true;
+    if (place >= from && place < after_.size() && cut_at(place)) return true;
     for (std::size_t e = from; e < after_.size(); ++e)
       if (e != place && cut_at(e)) return true;
     return find_from(b + 1, from);
@@ -102,11 +103,8 @@ class Cutting {
     left_ = sign > 0 ? left_ - count : left_ + count;
   }
 
-  // Whether the triangles from `e` on are a fan of the polygon, and none of them was a triangle before.
+  // Whether the triangles from `e` on are a fan of the polygon.
   bool is_fan(const Element& polygon, std::size_t n, std::size_t e) {
-    std::map<Triangle, int> used;
-    for (std::size_t i = e; i < e + n - 2; ++i)
-      if (++used[triangles_[i]] > surplus_[triangles_[i]] || triangles_[i][0] == none) return false;
     for (std::size_t start = 0; start < n; ++start) {
       bool all = true;
       for (std::size_t i = 1; i + 1 < n && all; ++i)
@@ -115,6 +113,34 @@ class Cutting {
       if (all) return true;
     }
     return false;
+  }
+
+  // Whether the triangles from `e` on cover the polygon, and none of them was a triangle before: they have
+  // the polygon's sides, and all others twice, in both directions.
+  bool cover(const Element& polygon, std::size_t n, std::size_t e) {
+    std::map<Triangle, int> used;
+    std::map<std::pair<Index, Index>, int> sides;
+    const auto add = [&](Index from, Index to, int more) {
+      sides[std::minmax(from, to)] += from < to ? more : -more;
+    };
+    for (std::size_t i = e; i < e + n - 2; ++i) {
+      const Triangle& t = triangles_[i];
+      if (++used[t] > surplus_[t] || t[0] == none) return false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (std::find(polygon.nodes.begin(), polygon.nodes.begin() + static_cast<std::ptrdiff_t>(n), t[k]) ==
+            polygon.nodes.begin() + static_cast<std::ptrdiff_t>(n))
+          return false;
+        add(t[k], t[(k + 1) % 3], 1);
+      }
+    }
+    if (is_fan(polygon, n, e)) return true;
+    const std::set<Index> different(polygon.nodes.begin(),
+                                    polygon.nodes.begin() + static_cast<std::ptrdiff_t>(n));
+    if (different.size() < n) return false;  // sides might cancel
+    for (std::size_t k = 0; k < n; ++k) add(polygon.nodes[k], polygon.nodes[(k + 1) % n], -1);
+    return std::all_of(sides.begin(), sides.end(), [](const auto& side) {
+      return side.second == 0 || side.first.first == side.first.second;
+    });
   }
 
   const std::vector<Element>&before_, &after_;

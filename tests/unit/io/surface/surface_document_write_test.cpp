@@ -55,22 +55,37 @@ TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
     EXPECT_EQ(read_document(path).points.size(), 5U);
   }
 }
-// A square becomes two triangles. A polygon that is not planar is left out and listed.
+// A square becomes two triangles, and so does a bent one. A polygon that crosses itself is left out and
+// listed.
 TEST(SurfaceDocuments, StlCutsPolygons) {
   const test::TestFiles files;
-  const Document document =
-      read_document(files.write("a.off", "OFF 5 3 0\n" + square + "0 0 1\n4 0 1 2 3\n4 0 1 2 4\n3 0 1 4\n"));
+  const Document document = read_document(
+      files.write("a.off", "OFF 5 4 0\n" + square + "0 0 1\n4 0 1 2 3\n4 0 1 2 4\n4 0 2 1 3\n3 0 1 4\n"));
   write_document(files.path("a.stl"), document, {.binary = false});
   const Document back = read_document(files.path("a.stl"));
-  EXPECT_EQ(told(back), "e2: 1 2 3\ne2: 1 3 4\ne2: 1 2 5\n");
+  EXPECT_EQ(told(back), "e2: 1 2 3\ne2: 1 3 4\ne2: 1 2 3\ne2: 1 3 5\ne2: 1 2 5\n");
   const std::vector<Loss> lost = losses("a.stl", document, {.binary = false});
   ASSERT_GE(lost.size(), 2u);
   EXPECT_EQ(lost[0].item, "quadrangles of 4 nodes (type 3) cut into triangles");
-  EXPECT_EQ(lost[0].count, 1);
+  EXPECT_EQ(lost[0].count, 2);
   EXPECT_EQ(lost[0].example, "element 1");
   EXPECT_EQ(lost[1].item, "quadrangles of 4 nodes (type 3)");
   EXPECT_EQ(lost[1].count, 1);
-  EXPECT_EQ(lost[1].example, "element 2");
+  EXPECT_EQ(lost[1].example, "element 3");
+  EXPECT_EQ(
+      write_warning("a.stl", document),
+      "a.stl: 1 quadrangle is not planar: cut along the shorter diagonal; the largest bend is 90 degrees");
+}
+
+// A facet with a hole, and polygons that are not convex.
+TEST(SurfaceDocuments, StlOfConcavePolygonsAndFacets) {
+  const test::TestFiles files;
+  const Document document = read_document(
+      files.write("a.poly",
+                  "8 3 0 0\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 1 1 0\n6 3 1 0\n7 3 3 0\n8 1 3 0\n"
+                  "2 0\n2 1\n4 1 2 3 4\n4 5 6 7 8\n1 2 2 0\n1 0\n5 1 2 3 4 5\n0\n0\n"));
+  write_document(files.path("a.stl"), document, {.binary = true});
+  EXPECT_EQ(read_surface(files.path("a.stl")).triangles.size(), 8u + 3u);
 }
 
 // If PLY has no place for one table, the other tables are written all the same.

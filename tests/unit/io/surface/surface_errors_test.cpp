@@ -140,14 +140,10 @@ const std::vector<Case> cases{
      "a.off:7: expected the number of a face's corners, found the end of the file"},
     {"OffMoreFacesThanAnnounced", "a.off", off_points + "3 0 1 2\n3 0 2 3\n",
      "a.off:8: expected the end of the file after 1 face, found '3'"},
-    {"OffNotConvex", "a.off", "OFF 4 1 0\n0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n4 0 1 2 3\n",
-     "a.off:6: face with 4 corners is not convex: it turns inwards at corner 3; cut it into triangles"},
-    {"OffNotPlanar", "a.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n",
-     // By hand: area vector (-0.5, -0.5, 2) / 2, mean (0.5, 0.5, 0.125): 0.25 / sqrt(4.5).
-     "a.off:6: face with 4 corners is not planar: a corner is 0.118 off its plane, allowed 0.00015; cut it "
-     "into triangles"},
+    {"OffCrossed", "a.off", "OFF 4 1 0\n0 0 0\n2 0 0\n0 2 0\n0.5 -0.5 0\n4 0 1 2 3\n",
+     "a.off:6: face with 4 corners crosses itself"},
     {"OffPolygonNotFinite", "a.off", "OFF 4 1 0\n0 0 0\n1 0 0\nnan 1 0\n0 1 0\n4 0 1 2 3\n",
-     "a.off:6: face with 4 corners has a coordinate that is not finite or too large; cut it into triangles"},
+     "a.off:6: face with 4 corners has a coordinate that is not finite or too large"},
     {"OffCr", "a.off", "OFF\r4 1 0\r0 0 0\r1 0 0\rx", "a.off:5: expected a coordinate, found 'x'"},
     {"OffCrLf", "a.off", "OFF\r\n4 1 0\r\n0 0 0\r\n1 0 0\r\nx", "a.off:5: expected a coordinate, found 'x'"},
 
@@ -175,8 +171,8 @@ const std::vector<Case> cases{
      "a.obj:5: expected a vertex as in 7, 7/1, 7//3, 7/1/3 or -1, found '3/x'"},
     {"ObjCornerOfFour", "a.obj", obj_points + "f 1 2 3/1/1/1\n",
      "a.obj:5: expected a vertex as in 7, 7/1, 7//3, 7/1/3 or -1, found '3/1/1/1'"},
-    {"ObjNotConvexAcrossLines", "a.obj", "v 0 0 0\nv 2 0 0\nv .5 .5 0\nv 0 2 0\nf 1 2 \\\n 3 4\n",
-     "a.obj:5: face with 4 corners is not convex: it turns inwards at corner 3; cut it into triangles"},
+    {"ObjCrossedAcrossLines", "a.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv .5 -.5 0\nf 1 2 \\\n 3 4\n",
+     "a.obj:5: face with 4 corners crosses itself"},
 
     {"PlyNothing", "a.ply", "", "a.ply:1: expected 'ply', found the end of the file"},
     {"PlyOther", "a.ply", "PLY\n", "a.ply:1: expected 'ply', found 'PLY'"},

@@ -89,11 +89,6 @@ INSTANTIATE_TEST_SUITE_P(
                             {"7 4 2 0 1 1 2 3 4"},
                             "a.msh: expected a surface, found no triangles or polygons"},
                     Refusal{"Nothing", {}, "a.msh: expected a surface, found no triangles or polygons"},
-                    Refusal{"BentQuadrangle",
-                            {"7 2 2 0 1 1 2 3", "8 3 2 0 1 1 2 3 4"},
-                            // By hand, from the area vector of the skew square, as in OffNotPlanar.
-                            "a.msh: element 8 with 4 corners is not planar: a corner is 0.354 "
-                            "off its plane, allowed 0.000173; cut it into triangles"},
                     Refusal{"UnknownNode",
                             {"7 2 2 0 1 1 2 3", "8 2 2 0 1 1 2 77"},
                             "a.msh: element 8 names node 77, which does not exist"}),

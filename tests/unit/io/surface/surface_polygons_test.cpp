@@ -73,6 +73,8 @@ Points regular(int corners, int step = 1) {
 const Points square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const Points point_in_side{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
 const Points corner_shape{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+// The notch of a dart, which its diagonals see.
+const Points dart{{0, 0, 0}, {1, -1, 0}, {0.1, 0, 0}, {1, 1, 0}};
 const Triangles square_fan{{0, 1, 2}, {0, 2, 3}}, second_fan{{1, 2, 3}, {1, 3, 4}, {1, 4, 0}};
 
 struct Fan {
@@ -122,6 +124,51 @@ const std::vector<Fan> fans{
     {"ThereAndBack", square, {1, 2, 1, 2}, {{0, 1, 0}, {0, 0, 1}}},
 };
 
+// Polygons that are not convex, by hand: triangles start with their first vertex and ascend.
+const Triangles corner_cut{{0, 1, 3}, {0, 3, 5}, {1, 2, 3}, {3, 4, 5}};
+const std::vector<Fan> others{
+    {"LShape", corner_shape, {}, corner_cut},
+    {"LShapeTurned", turned(corner_shape), {}, corner_cut},
+    {"LShapeTurnedFloats", as_floats(turned(corner_shape)), {}, corner_cut},
+    {"LShapeBackwards", corner_shape, {6, 5, 4, 3, 2, 1}, {{0, 3, 1}, {0, 5, 3}, {1, 3, 2}, {3, 5, 4}}},
+    {"LShapeFromAnotherCorner", corner_shape, {4, 5, 6, 1, 2, 3}, corner_cut},
+    {"Dart", dart, {}, {{0, 1, 2}, {0, 2, 3}}},
+    {"TinyDart",
+     {{0, 0, 0}, {1e-200, -1e-200, 0}, {1e-201, 0, 0}, {1e-200, 1e-200, 0}},
+     {},
+     {{0, 1, 2}, {0, 2, 3}}},
+    {"HugeDart",
+     {{0, 0, 0}, {1e200, -1e200, 0}, {1e199, 0, 0}, {1e200, 1e200, 0}},
+     {},
+     {{0, 1, 2}, {0, 2, 3}}},
+    // All on one circle and a notch: the diagonals of the lattice square 1 2 3 4 go from the smallest number.
+    {"NotchedSquare",
+     {{2, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+     {2, 1, 3, 4, 5},
+     {{0, 2, 3}, {0, 3, 4}, {0, 4, 1}}},
+    // A hole that the polygon reaches over an edge which it runs both ways.
+    {"HoleOverABridge",
+     {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+     {1, 2, 3, 4, 1, 5, 8, 7, 6, 5},
+     {{0, 1, 5}, {0, 4, 7}, {0, 5, 4}, {0, 7, 3}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}}},
+    // Not planar: the shorter diagonal; of equal ones the one with the smallest number; never one that folds.
+    {"Bent", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {}, {{1, 2, 3}, {1, 3, 0}}},
+    {"BentFromAnotherCorner",
+     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}},
+     {2, 3, 4, 1},
+     {{1, 2, 3}, {1, 3, 0}}},
+    {"Saddle", {{0, 0, 0}, {1, 0, 0.25}, {1, 1, 0}, {0, 1, 0.25}}, {}, square_fan},
+    {"SaddleFromAnotherCorner",
+     {{0, 0, 0}, {1, 0, 0.25}, {1, 1, 0}, {0, 1, 0.25}},
+     {2, 3, 4, 1},
+     {{2, 3, 0}, {2, 0, 1}}},
+    {"BentDart", {{0, 0, 0.5}, {1, -1, 0}, {0.1, 0, 0}, {1, 1, 0}}, {}, {{0, 1, 2}, {0, 2, 3}}},
+    {"BentPentagon",
+     {{0, 0, 0}, {2, 0, 0.5}, {2, 2, 0}, {1, 1.5, 0}, {0, 2, 0}},
+     {},
+     {{0, 1, 3}, {0, 3, 4}, {1, 2, 3}}},
+};
+
 class PolygonFans : public testing::TestWithParam<Fan> {};
 
 TEST_P(PolygonFans, Cut) {
@@ -142,33 +189,11 @@ struct Refusal {
 };
 
 const std::vector<Refusal> refusals{
-    // Distances from the plane through the mean, by hand. The saddle's normal is z and its mean is z = h / 2.
-    {"Saddle",
-     {{0, 0, 0}, {1, 0, 0.002}, {1, 1, 0}, {0, 1, 0.002}},
-     {},
-     "is not planar: a corner is 0.001 off its plane, allowed 0.000141"},
-    {"LShape", corner_shape, {}, "is not convex: it turns inwards at corner 4"},
-    {"LShapeTurned", turned(corner_shape), {}, "is not convex: it turns inwards at corner 4"},
-    {"LShapeBackwards", corner_shape, {6, 5, 4, 3, 2, 1}, "is not convex: it turns inwards at corner 3"},
-    {"Dart",
-     {{0, 0, 0}, {1, -1, 0}, {0.1, 0, 0}, {1, 1, 0}},
-     {},
-     "is not convex: it turns inwards at corner 3"},
-    {"Bow", {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {}, "is not convex: it crosses itself"},
-    {"UnevenBow",
-     {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}, {2, 1, 0}},
-     {},
-     "is not convex: it turns inwards at corner 1"},
-    {"TinyDart",
-     {{0, 0, 0}, {1e-200, -1e-200, 0}, {1e-201, 0, 0}, {1e-200, 1e-200, 0}},
-     {},
-     "is not convex: it turns inwards at corner 3"},
-    {"HugeDart",
-     {{0, 0, 0}, {1e200, -1e200, 0}, {1e199, 0, 0}, {1e200, 1e200, 0}},
-     {},
-     "is not convex: it turns inwards at corner 3"},
-    {"Pentagram", regular(5, 2), {}, "is not convex: it winds more than once around"},
-    {"TwiceAround", square, {1, 2, 3, 4, 1, 2, 3, 4}, "is not convex: it winds more than once around"},
+    {"Bow", {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {}, "crosses itself"},
+    {"UnevenBow", {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}, {2, 1, 0}}, {}, "crosses itself"},
+    {"BentUnevenBow", {{0, 0, 0}, {1, 0, 1}, {0, 3, 0}, {2, 1, 0}}, {}, "crosses itself"},
+    {"Pentagram", regular(5, 2), {}, "crosses itself"},
+    {"TwiceAround", square, {1, 2, 3, 4, 1, 2, 3, 4}, "winds more than once around"},
     {"Infinite",
      {{0, 0, 0}, {1, 0, 0}, {1, INFINITY, 0}, {0, 1, 0}},
      {},
@@ -186,17 +211,18 @@ TEST_P(PolygonRefusals, Message) {
   const Refusal& refusal = GetParam();
   const std::string path = files.write("a.obj", obj(refusal.points, refusal.corners));
   const std::size_t corners = refusal.corners.empty() ? refusal.points.size() : refusal.corners.size();
-  EXPECT_EQ(files.message([&] { read_surface(path); }),
-            "a.obj:" + std::to_string(refusal.points.size() + 1) + ": face with " + std::to_string(corners) +
-                " corners " + refusal.fault + "; cut it into triangles");
+  EXPECT_EQ(files.message([&] { read_surface(path); }), "a.obj:" + std::to_string(refusal.points.size() + 1) +
+                                                            ": face with " + std::to_string(corners) +
+                                                            " corners " + refusal.fault);
 }
 
 const auto name_of = [](const auto& test) { return test.param.name; };
 INSTANTIATE_TEST_SUITE_P(Surface, PolygonFans, testing::ValuesIn(fans), name_of);
+INSTANTIATE_TEST_SUITE_P(NotConvex, PolygonFans, testing::ValuesIn(others), name_of);
 INSTANTIATE_TEST_SUITE_P(Surface, PolygonRefusals, testing::ValuesIn(refusals), name_of);
 
 // The corners are so close that no single one is noticeably reflex.
-TEST(Polygons, CrescentOfManyCornersIsNotConvex) {
+TEST(Polygons, CrescentOfManyCorners) {
   const int n = 20000;
   Points points;
   for (int i = 0; i <= n; ++i)
@@ -204,9 +230,37 @@ TEST(Polygons, CrescentOfManyCornersIsNotConvex) {
   for (int i = n - 1; i > 0; --i)
     points.push_back({std::cos(std::numbers::pi * i / n), 0.5 * std::sin(std::numbers::pi * i / n), 0});
   const test::TestFiles files;
-  const std::string path = files.write("a.obj", obj(points));
-  EXPECT_EQ(files.message([&] { read_surface(path); }),
-            "a.obj:40001: face with 40000 corners is not convex; cut it into triangles");
+  const TriangleSurface surface = read_surface(files.write("a.obj", obj(points)));
+  EXPECT_EQ(surface.triangles.size(), points.size() - 2);
+  double area = 0;
+  for (const auto& t : surface.triangles) {
+    const Eigen::Vector3d a = surface.vertices[t[0]], b = surface.vertices[t[1]] - a,
+                          c = surface.vertices[t[2]] - a;
+    EXPECT_GT(b[0] * c[1] - b[1] * c[0], 0);
+    area += (b[0] * c[1] - b[1] * c[0]) / 2;
+  }
+  EXPECT_NEAR(area, std::numbers::pi / 4, 1e-8);
+}
+
+// What is not planar is said: how many, and the largest bend.
+TEST(Polygons, BendsAreAWarning) {
+  const test::TestFiles files;
+  const auto warnings = [&](const std::string& text) {
+    std::string all;
+    for (const std::string& warning : read_surface_file(files.write("a.obj", text)).warnings)
+      all += warning.substr(warning.find("a.obj"));
+    return all;
+  };
+  EXPECT_EQ(warnings(obj(square)), "");
+  EXPECT_EQ(warnings(obj({{0, 0, 0}, {1, 0, 0}, {1, 1, 1e-13}, {0, 1, 0}})), "");  // rounding
+  EXPECT_EQ(
+      warnings(obj({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}})),
+      // by hand: the normals (-0.1, -0.1, 1) and (0, 0, 1)
+      "a.obj: 1 quadrangle is not planar: cut along the shorter diagonal; the largest bend is 8.05 degrees");
+  EXPECT_EQ(warnings("v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\nf 2 5 6 4 3\n"),
+            "a.obj: 1 quadrangle is not planar: cut along the shorter diagonal; 1 polygon is not planar: cut "
+            "as seen "
+            "along the axis next to the normal; the largest bend is 90 degrees");
 }
 
 TEST(Polygons, TimeGrowsWithTheCorners) {

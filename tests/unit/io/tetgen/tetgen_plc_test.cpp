@@ -118,12 +118,10 @@ TEST(TetgenPlc, IsASurface) {
     files.write("a.poly", nodes + facets);
     return files.message([&] { read_surface(files.path("a.poly")); });
   };
-  EXPECT_EQ(
-      refused("2\n1\n3 1 2 3\n1 1\n4 1 2 3 4\n1 .5 .5 0\n0\n"),
-      "a.poly:11: face is of a facet of 1 polygon and 1 hole, expected one polygon without holes; cut it "
-      "into triangles");
-  EXPECT_EQ(refused("1\n1\n4 1 2 3 5\n0\n").substr(0, 50),
-            "a.poly:9: face with 4 corners is not planar: a cor");
+  EXPECT_EQ(refused("2\n1\n3 1 2 3\n2\n4 1 2 3 4\n2 1 9\n0\n"),
+            "a.poly:11: face of a facet of 2 polygons and 0 holes names node 9, which does not exist");
+  EXPECT_EQ(refused("1\n2\n4 1 2 3 4\n4 1 3 2 4\n0\n"),
+            "a.poly:9: face of a facet of 2 polygons and 0 holes crosses itself");
   EXPECT_EQ(refused("1\n1\n3 1 2 8\n0\n"), "a.poly:9: face names vertex 8, expected 1 to 5");
   EXPECT_EQ(refused("1\n1\n2 1 2\n0\n"), "a.poly:9: face has 2 corners, expected at least 3");
 }
