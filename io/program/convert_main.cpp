@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tetproof-convert IN OUT: converts a mesh file and lists what is lost on the way.
+// tetproof-convert IN... OUT: converts mesh files, edits them on the way, and lists what is lost.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "corpus/surfaces.hpp"
+#include "io/bytes/words.hpp"
+#include "io/edit/edits.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/describe.hpp"
+#include "io/program/edit_options.hpp"
 #include "io/program/files_in_use.hpp"
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
@@ -19,18 +24,36 @@ using namespace tetproof;
 using Json = nlohmann::ordered_json;
 
 struct Choices {
-  std::string in, out, losses_file;
+  std::vector<std::string> files;  // IN..., and OUT as the last
+  std::vector<std::string> in;
+  std::string out, losses_file;
   ReadOptions read;
   WriteOptions write;
+  program::EditOptions edits;
   bool ascii = false, binary = false, strict = false, strict_native = false, info = false;
 };
 
-// Reads the file, or makes the surface of a specification.
-Document input(const Choices& choices) {
-  if (!corpus::is_generated(choices.in)) return read_document(choices.in, choices.read);
-  if (!choices.read.format.empty()) throw InputError("--from needs an IN that is a file");
-  Document document = document_of(corpus::make_surface(choices.in));
-  document.path = choices.in;
+// Tells the inputs from the output.
+void sort_files(Choices& choices) {
+  if (!choices.out.empty()) choices.files.push_back(choices.out);
+  if (choices.info) {
+    if (choices.files.size() > 1) throw InputError("--info writes no file: leave out OUT");
+    if (choices.edits.split_by_group) throw InputError("--info writes no file: leave out --split-by-group");
+  } else if (choices.files.size() < 2) {
+    throw InputError("OUT is missing (or ask for --info)");
+  }
+  choices.in = choices.files;
+  if (choices.info) return;
+  choices.out = choices.in.back();
+  choices.in.pop_back();
+}
+
+// Reads a file, or makes the surface of a specification.
+Document input(const std::string& in, const ReadOptions& options) {
+  if (!corpus::is_generated(in)) return read_document(in, options);
+  if (!options.format.empty()) throw InputError("--from needs an IN that is a file");
+  Document document = document_of(corpus::make_surface(in));
+  document.path = in;
   document.format = "generated";
   return document;
 }
@@ -41,10 +64,10 @@ struct Refusal {
   std::vector<Loss> not_read, lost, kept;
 
   Refusal(const Choices& choices, const std::vector<Loss>& dropped, const std::vector<Loss>& losses,
-          const KeptAside& aside) {
+          const std::vector<Loss>& aside) {
     if (!choices.strict && !choices.strict_native) return;
     not_read = dropped, lost = losses;
-    for (const Loss& loss : aside.items)
+    for (const Loss& loss : aside)
       if (choices.strict_native || loss.elements) kept.push_back(loss);
   }
   std::size_t items() const { return not_read.size() + lost.size() + kept.size(); }
@@ -61,38 +84,110 @@ struct Refusal {
   }
 };
 
-int convert(const Choices& choices, const program::Common& common) {
-  if (choices.out.empty() && !choices.info) throw InputError("OUT is missing (or ask for --info)");
-  if (!choices.out.empty() && choices.info) throw InputError("--info writes no file: leave out OUT");
+// All inputs as one document. `result` gets what they hold.
+Document joined_input(const Choices& choices, const program::Common& common, Json& result,
+                      std::vector<program::DoneEdit>& done) {
+  Document document;
+  for (std::size_t i = 0; i < choices.in.size(); ++i) {
+    Document next = input(choices.in[i], choices.read);
+    program::report_reading(common, next.warnings, next.dropped);
+    if (choices.in.size() > 1) result["inputs"].push_back(describe_json(next));
+    if (i == 0) {
+      document = std::move(next);
+      continue;
+    }
+    done.push_back({"IN " + choices.in[i], io::join(document, std::move(next))});
+    program::say_edit(common, done.back());
+  }
+  result["input"] = describe_json(document);
+  return document;
+}
+
+// A file that is going to be written, and what of the document it will not hold.
+struct Output {
+  std::string path;
+  std::unique_ptr<program::MeshOutput> file;
+};
+
+Json output_json(Output& output, bool written) {
+  const KeptAside& kept = output.file->kept_aside();
+  Json json{{"file", output.path},
+            {"format", output.file->encoding().format},
+            {"binary", output.file->encoding().binary},
+            {"written", written}};
+  if (!kept.items.empty()) json["kept_in"] = kept.where;
+  return json;
+}
+
+int convert(Choices& choices, const program::Common& common) {
+  sort_files(choices);
   WriteOptions write = choices.write;
   if (choices.ascii || choices.binary) write.binary = choices.binary;
   program::FilesInUse files(common);
-  if (!corpus::is_generated(choices.in)) files.reads_mesh("IN", choices.in, choices.read);
+  for (std::size_t i = 0; i < choices.in.size(); ++i)
+    if (!corpus::is_generated(choices.in[i]))
+      files.reads_mesh(i == 0 ? "IN" : fmt::format("IN {}", i + 1), choices.in[i], choices.read);
   files.writes_mesh("OUT", choices.out, write);
   files.writes("--losses", choices.losses_file);
 
-  const Document document = input(choices);
-  program::report_reading(common, document.warnings, document.dropped);
-  Json result{{"input", describe_json(document)}, {"dropped", program::losses_json(document.dropped)}};
+  Json result;
+  std::vector<program::DoneEdit> done;
+  Document document = joined_input(choices, common, result, done);
+  result["dropped"] = program::losses_json(document.dropped);
+  for (program::DoneEdit& edit : program::apply_edits(common, choices.edits, document))
+    done.push_back(std::move(edit));
   if (choices.info) {
+    if (!done.empty())
+      result["edits"] = program::edits_json(done), result["edited"] = describe_json(document);
     if (!files.standard_output_is_taken()) fmt::print("{}", describe_text(document));
     if (!common.json.empty()) program::write_json(common.json, result);
     return program::sound;
   }
 
-  program::MeshOutput output(common, files, "OUT", choices.out, document, write);
-  const std::vector<Loss>& lost = output.losses();
-  const KeptAside& kept = output.kept_aside();
+  std::vector<io::GroupPart> parts;
+  std::vector<Output> outputs;
+  const auto add_output = [&](const std::string& path, const Document& part) {
+    outputs.push_back({path, std::make_unique<program::MeshOutput>(common, files, "OUT", path, part, write)});
+  };
+  if (choices.edits.split_by_group) {
+    parts = io::split_by_group(document);
+    done.push_back({"--split-by-group", {fmt::format("{} files", parts.size()), {}}});
+    for (io::GroupPart& part : parts)
+      for (Loss& loss : part.lost) done.back().edit.lost.push_back(std::move(loss));
+    program::say_edit(common, done.back());
+    for (const io::GroupPart& part : parts) {
+      const std::string path = program::path_of_part(choices.out, part.word);
+      program::say(common,
+                   fmt::format("{}: {} and {}", path, io::counted(part.document.points.size(), "nodes"),
+                               io::counted(part.document.elements(), "elements")));
+      add_output(path, part.document);
+    }
+  } else {
+    add_output(choices.out, document);
+  }
+
+  std::vector<Loss> lost, kept;
+  std::string kept_in;
+  for (const program::DoneEdit& edit : done)
+    lost.insert(lost.end(), edit.edit.lost.begin(), edit.edit.lost.end());
+  for (Output& output : outputs) {
+    const std::vector<Loss>& losses = output.file->losses();
+    lost.insert(lost.end(), losses.begin(), losses.end());
+    const KeptAside& aside = output.file->kept_aside();
+    kept.insert(kept.end(), aside.items.begin(), aside.items.end());
+    if (!aside.items.empty()) kept_in = aside.where;
+  }
   const Refusal refusal(choices, document.dropped, lost, kept);
   const bool refused = refusal.items() > 0;
-  if (!refused) output.write();
-  result["output"] = {{"file", choices.out},
-                      {"format", output.encoding().format},
-                      {"binary", output.encoding().binary},
-                      {"written", !refused}};
+  for (Output& output : outputs)
+    if (!refused) output.file->write();
+  if (!done.empty()) result["edits"] = program::edits_json(done);
+  if (choices.edits.split_by_group)
+    for (Output& output : outputs) result["outputs"].push_back(output_json(output, !refused));
+  else
+    result["output"] = output_json(outputs.front(), !refused);
   result["losses"] = program::losses_json(lost);
-  result["kept_aside"] = program::losses_json(kept.items);
-  if (!kept.items.empty()) result["output"]["kept_in"] = kept.where;
+  result["kept_aside"] = program::losses_json(kept);
   if (!choices.losses_file.empty())
     program::write_json(choices.losses_file, Json{{"dropped", result["dropped"]},
                                                   {"losses", result["losses"]},
@@ -101,16 +196,20 @@ int convert(const Choices& choices, const program::Common& common) {
   if (!refused) return program::sound;
   program::say(common,
                fmt::format("{}: not written, since {} of {} {} ({})", choices.out,
-                           refusal.items() == 1 ? "something" : "several things", choices.in,
-                           refusal.why(kept.where), choices.strict_native ? "--strict-native" : "--strict"));
+                           refusal.items() == 1 ? "something" : "several things", fmt::join(choices.in, ", "),
+                           refusal.why(kept_in), choices.strict_native ? "--strict-native" : "--strict"));
   return program::wrong;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::vector<std::string> words = program::with_joined_tolerance(argc, argv);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   return program::run(
-      argc, argv,
+      static_cast<int>(words.size()), arguments.data(),
       {.purpose = "Converts meshes and surfaces between formats, and says what the target cannot hold.",
        .examples =
            "  tetproof-convert grid.msh grid.1.ele              for TetGen: grid.1.node and grid.1.ele\n"
@@ -122,20 +221,25 @@ int main(int argc, char** argv) {
            "too\n"
            "  tetproof-convert part.step part.msh               a format that only Gmsh reads; geometry is "
            "meshed\n"
-           "  zcat grid.vtk.gz | tetproof-convert - grid.msh    from standard input\n",
+           "  zcat grid.vtk.gz | tetproof-convert - grid.msh    from standard input\n"
+           "  tetproof-convert grid.msh skin.stl --boundary     the surface of the solids\n"
+           "  tetproof-convert a.msh b.msh ab.msh --merge-points   two meshes as one\n"
+           "  tetproof-convert grid.msh part.vtu --split-by-group  part_steel.vtu, part_air.vtu, ...\n",
        .libraries = {}},
       [&](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto choices = std::make_shared<Choices>();
         app.add_option(
-               "IN", choices->in,
+               "IN", choices->files,
                "a mesh or a surface, or a generated surface (tetproof-mesh --list-surfaces); - is standard "
-               "input. Endings: " +
+               "input. Several are joined into one. Endings: " +
                    program::endings_read())
+            ->default_str("")
             ->required();
-        app.add_option("OUT", choices->out,
-                       fmt::format("the file to write, in the format that its ending says; never IN itself. "
-                                   "Endings: {}",
-                                   fmt::join(known_endings(), " ")));
+        app.add_option(
+            "OUT", choices->out,
+            fmt::format("the last of the files: the file to write, in the format that its ending says; "
+                        "never an IN itself. Endings: {}",
+                        fmt::join(known_endings(), " ")));
         app.add_option(
                "--from", choices->read.format,
                "read IN as this format, whatever its ending and content say: " + program::format_names())
@@ -153,7 +257,8 @@ int main(int argc, char** argv) {
                      "tetproof reads back from a comment or a section is no loss, unless it is elements");
         app.add_flag("--strict-native", choices->strict_native,
                      "likewise, and any program that reads the format gets all of it");
-        app.add_flag("--info", choices->info, "print what the file holds; no OUT");
+        app.add_flag("--info", choices->info, "print what the file holds, after the edits; no OUT");
+        program::declare_edits(app, choices->edits);
         return [choices, &common] { return convert(*choices, common); };
       });
 }

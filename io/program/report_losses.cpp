@@ -6,18 +6,15 @@
 #include <nlohmann/json.hpp>
 
 namespace tetproof::program {
-namespace {
 
-std::string line(const std::string& what, const Loss& loss) {
+std::string loss_line(const std::string& what, const Loss& loss) {
   return fmt::format("{}: {}: {} ({})", what, loss.item, loss.count, loss.example);
 }
-
-}  // namespace
 
 void report_reading(const Common& common, const std::vector<std::string>& warnings,
                     const std::vector<Loss>& dropped) {
   for (const std::string& warning : warnings) say(common, "warning: " + warning);
-  for (const Loss& loss : dropped) say(common, line("not read", loss));
+  for (const Loss& loss : dropped) say(common, loss_line("not read", loss));
 }
 
 nlohmann::ordered_json losses_json(const std::vector<Loss>& losses) {
@@ -31,8 +28,8 @@ MeshOutput::MeshOutput(const Common& common, FilesInUse& files, const std::strin
                        const std::string& path, const Document& document, const WriteOptions& options)
     : file_(path, document, options) {
   files.writes_mesh(argument, file_);
-  for (const Loss& loss : losses()) say(common, line("lost", loss));
-  for (const Loss& loss : kept_aside().items) say(common, line("kept in " + kept_aside().where, loss));
+  for (const Loss& loss : losses()) say(common, loss_line("lost", loss));
+  for (const Loss& loss : kept_aside().items) say(common, loss_line("kept in " + kept_aside().where, loss));
   if (!file_.warning().empty()) say(common, "warning: " + file_.warning());
 }
 

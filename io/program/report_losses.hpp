@@ -18,6 +18,9 @@ namespace tetproof::program {
 void report_reading(const Common& common, const std::vector<std::string>& warnings,
                     const std::vector<Loss>& dropped);
 
+/// "WHAT: ITEM: COUNT (EXAMPLE)".
+std::string loss_line(const std::string& what, const Loss& loss);
+
 /// An array of `item`, `count` and `example`.
 nlohmann::ordered_json losses_json(const std::vector<Loss>& losses);
 
