@@ -12,7 +12,7 @@ namespace {
 
 bool same_kind(const ElementBlock& a, const ElementBlock& b) {
   return a.type == b.type && a.dim == b.dim && a.entity == b.entity && a.groups == b.groups &&
-         a.partitions == b.partitions && a.of_boundary == b.of_boundary;
+         a.partitions == b.partitions && a.of_boundary == b.of_boundary && a.faces == b.faces;
 }
 
 // Rows that ascended ascend again.

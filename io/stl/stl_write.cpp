@@ -118,8 +118,7 @@ void write_text(AtomicFile& file, const Document& document, const StlPlan& plan)
 std::vector<std::size_t> elements_with_attributes(const Document& document) {
   bool is_cut = false;
   std::vector<std::size_t> triangles = kept_elements(document, [&](const KeptElement& e) {
-    is_cut = is_cut || (e.corners > 3 &&
-                        start_of_fan(document.points, e.nodes, static_cast<std::size_t>(e.corners)) >= 0);
+    is_cut = is_cut || e.corners > 3;
     return e.corners == 3;
   });
   if (!is_cut) return triangles;
@@ -139,7 +138,7 @@ class StlFilePlan : public OneFilePlan {
   }
 
   std::string warning(const std::string& path) override {
-    StlCutter cutter(document_);
+    StlCutter cutter(part_.document());
     std::vector<std::array<Index, 3>> triangles;
     for (const StlSolid& solid : plan_.solids)
       for (const ElementBlock* block : solid.blocks)
