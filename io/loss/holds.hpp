@@ -71,14 +71,15 @@ struct Holds {
   /// order. The same number for all blocks: any order of blocks comes back.
   std::function<int(const ElementBlock&)> kind = [](const ElementBlock&) { return 0; };
   std::function<bool(const Values&, Of)> values = [](const Values&, Of) { return false; };
-  /// For values of integers that are not held: whether they are stored as reals, each of which is the integer.
+  /// For values of integers that are not held: whether they are stored as reals, each of which is the
+  /// integer.
   std::function<bool(const Values&, Of)> as_reals = [](const Values&, Of) { return false; };
   /// For values that are not held: what is stored of them nevertheless. Not set: nothing, for all values.
   std::function<std::optional<HeldNumbers>(const Values&, Of)> numbers;
   /// Whether the roles of values come back that are held, or of which the numbers are.
   std::function<bool(const Values&, Of)> roles = [](const Values& of, Of) { return of.roles.empty(); };
-  /// Whether the physical groups of a block's elements come back, where this depends on the block. Not set:
-  /// as `groups` says.
+  /// Whether the physical groups of a block's elements come back, all or the first of them, where this
+  /// depends on the block. Not set: as `groups` says.
   std::function<bool(const ElementBlock&)> groups_of;
   std::function<bool(const GroupName&)> name = [](const GroupName&) { return false; };
   std::function<bool(const Table&)> table = [](const Table&) { return false; };

@@ -62,13 +62,11 @@ class EntityLosses : LossFinder {
     each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
       const auto& tags = document_.tag_sets[static_cast<std::size_t>(block.groups)];
       const std::string first = fmt::format("{} in groups {}", name, fmt::join(tags, " "));
-      if (holds_.groups_of) {
-        if (!holds_.groups_of(block)) add("physical groups of elements", count, first);
-        return;
-      }
-      if (holds_.groups == Holds::Groups::none && !tags.empty())
+      const bool held =
+          holds_.groups_of ? holds_.groups_of(block) : holds_.groups != Holds::Groups::none || tags.empty();
+      if (!held)
         add("physical groups of elements", count, first);
-      if (holds_.groups == Holds::Groups::first && tags.size() > 1)
+      else if (holds_.groups == Holds::Groups::first && tags.size() > 1)
         add("physical groups beyond an element's first", count, first);
     });
     for (const GroupName& name : document_.group_names)

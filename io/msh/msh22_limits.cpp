@@ -28,7 +28,7 @@ Msh22Limits msh22_limits(const Document& document, bool binary) {
   // Copies are numbered after all elements, and after those that data names although they do not exist.
   const bool names_elements = !document.element_values.empty() || !document.element_node_values.empty();
   const std::int64_t last = std::max({std::int64_t{0}, elements.second, names_elements ? unknown.second : 0});
-  limits.renumber = !fits(unknown) || !fits(elements) ||
+  limits.renumber = counts_from_zero(document) || !fits(unknown) || !fits(elements) ||
                     !fits(range_of(document.node_tags, document.first_node, 0, document.points.size())) ||
                     (limits.copies > 0 && static_cast<std::uint64_t>(most - last) < limits.copies);
   if (limits.renumber) {

@@ -11,7 +11,8 @@
 namespace tetproof::io {
 
 struct Msh22Limits {
-  /// Nodes and elements are numbered from 1, because a tag does not fit the 4 bytes that binary has for it.
+  /// Nodes and elements are numbered from 1, because they count from 0, or a tag does not fit the 4 bytes
+  /// that binary has for it.
   bool renumber = false;
   /// Parametric coordinates are written. This needs them for all nodes on curves and surfaces.
   bool parametric = false;

@@ -22,7 +22,8 @@ class Writer {
         v40_(format == "msh40"),
         format_(format),
         plan_(plan),
-        holds_(holds) {
+        holds_(holds),
+        tags_(msh4_tags(document)) {
     for (std::size_t b = 0; b < document.blocks.size(); ++b)
       if (holds_.nodes_each(document.blocks[b]) > 0 && document.blocks[b].count > 0) blocks_.push_back(b);
   }
@@ -38,7 +39,7 @@ class Writer {
     nodes();
     elements();
     file_.write(msh_kept_sections(document_, holds_, false));
-    write_msh_data(file_, {&document_}, holds_, format_, Binary);
+    write_msh_data(file_, tags_, holds_, format_, Binary);
   }
 
  private:
@@ -99,7 +100,7 @@ class Writer {
 
   void nodes() {
     const auto [least, most] =
-        range_of(document_.node_tags, document_.first_node, 0, document_.points.size());
+        range_of(document_.node_tags, tags_.renumber ? 1 : document_.first_node, 0, document_.points.size());
     file_.write("$Nodes\n");
     file_.write(line<Binary>(4, [&, low = least, high = most](auto& out) {
       out.size(plan_.node_blocks.size()), out.size(document_.points.size());
@@ -114,13 +115,13 @@ class Writer {
       if (!v40_)
         write_items(file_, block.count, Putter<Binary>::longest, [&](std::size_t i, char* to) {
           Putter<Binary> out{to};
-          out.size(document_.node_tag(block.first + i));
+          out.size(tags_.node(static_cast<Index>(block.first + i)));
           out.end_line();
           return out.to;
         });
       write_items(file_, block.count, (4 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
         Putter<Binary> out{to};
-        if (v40_) out.integer(document_.node_tag(block.first + i));
+        if (v40_) out.integer(tags_.node(static_cast<Index>(block.first + i)));
         for (double x : document_.points[block.first + i]) out.real(x);
         for (int k = 0; k < each; ++k) out.real(document_.parameters[block.parameters + i * each + k]);
         out.end_line();
@@ -134,7 +135,8 @@ class Writer {
     std::int64_t least = 0, most = 0, total = 0;
     for (std::size_t b : blocks_) {
       const ElementBlock& block = document_.blocks[b];
-      const auto range = range_of(document_.element_tags, document_.first_element, block.first, block.count);
+      const auto range = range_of(document_.element_tags, tags_.renumber ? 1 : document_.first_element,
+                                  block.first, block.count);
       least = total == 0 ? range.first : std::min(least, range.first);
       most = total == 0 ? range.second : std::max(most, range.second);
       total += block.count;
@@ -153,9 +155,9 @@ class Writer {
       }));
       write_items(file_, block.count, (1 + each) * Putter<Binary>::longest, [&](std::size_t i, char* to) {
         Putter<Binary> out{to};
-        out.size(document_.element_tag(block.first + i));
+        out.size(tags_.element_at(block.first + i));
         const Index* node = document_.connectivity.data() + block.nodes + i * each;
-        for (int k = 0; k < each; ++k) out.size(document_.named(node[k]));
+        for (int k = 0; k < each; ++k) out.size(tags_.node(node[k]));
         out.end_line();
         return out.to;
       });
@@ -169,6 +171,7 @@ class Writer {
   const std::string& format_;
   const EntityPlan& plan_;
   const Holds& holds_;
+  const MshTags tags_;
   std::vector<std::size_t> blocks_;  // those that are written
 };
 

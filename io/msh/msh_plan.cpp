@@ -211,9 +211,28 @@ bool holds_entities(const Document& document, const std::vector<Entity>& written
 
 }  // namespace
 
+bool counts_from_zero(const Document& document) {
+  return document.node_tags.empty() && document.element_tags.empty() &&
+         ((document.first_node == 0 && !document.points.empty()) ||
+          (document.first_element == 0 && document.elements() > 0));
+}
+
+MshTags msh4_tags(const Document& document) {
+  if (!counts_from_zero(document)) return {&document};
+  return {&document, true,
+          static_cast<std::int64_t>(std::max(document.points.size(), document.elements())) + 1};
+}
+
 Holds msh4_holds(const Document& document, const EntityPlan& plan, const std::string& format, bool binary) {
   Holds holds = names_and_elements(document, format, binary);
-  holds.node_tags = holds.element_tags = holds.unknown_nodes = true;
+  const MshTags tags = msh4_tags(document);
+  holds.unknown_nodes = true;
+  holds.node_tags = holds.element_tags = !tags.renumber;
+  holds.numbers_all_elements = true;
+  if (tags.renumber)
+    holds.unknown_number = [first = tags.first_unknown](std::size_t k) {
+      return first + static_cast<std::int64_t>(k);
+    };
   holds.entities = holds_entities(document, plan.entities, format);
   holds.element_entities = true;
   std::map<std::pair<int, std::int64_t>, const Entity*> entities;
@@ -238,7 +257,7 @@ Holds msh4_holds(const Document& document, const EntityPlan& plan, const std::st
       std::all_of(document.node_blocks.begin(), document.node_blocks.end(), [](const NodeBlock& block) {
         return block.parameters_each == 0 || block.parameters_each == block.dim;
       });
-  hold_data(document, {&document}, format, binary, holds);
+  hold_data(document, tags, format, binary, holds);
   return holds;
 }
 

@@ -46,6 +46,13 @@ struct MshTags {
   std::int64_t unknown(Index i) const { return first_unknown - 1 - i; }
 };
 
+/// Whether numbers count up from 0, as readers count where a format has none. Gmsh takes 0 for no number and
+/// numbers such nodes wrongly, so that they are written from 1.
+bool counts_from_zero(const Document& document);
+
+/// The tags of 4.0 and 4.1.
+MshTags msh4_tags(const Document& document);
+
 /// Writes $Periodic, $GhostElements and the sections of data, as far as they are held.
 void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, const std::string& format,
                     bool binary);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <optional>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/error.hpp"
@@ -115,15 +115,13 @@ void write_text(AtomicFile& file, const Document& document, const StlPlan& plan)
 
 // The triangles, if these are all that is written. Elements that are cut have no single facet for their
 // attribute, so the document stays as it is with them.
-std::vector<std::size_t> elements_with_attributes(const Document& document) {
+std::optional<std::vector<std::size_t>> elements_with_attributes(const Document& document) {
   bool is_cut = false;
   std::vector<std::size_t> triangles = kept_elements(document, [&](const KeptElement& e) {
     is_cut = is_cut || e.corners > 3;
     return e.corners == 3;
   });
-  if (!is_cut) return triangles;
-  triangles.resize(document.elements());
-  std::iota(triangles.begin(), triangles.end(), std::size_t{0});
+  if (is_cut) return std::nullopt;
   return triangles;
 }
 

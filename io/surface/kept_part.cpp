@@ -110,12 +110,15 @@ const Item& counterpart(const Item& item, const std::vector<Item>& all, const st
 }  // namespace
 
 KeptPart::KeptPart(const Document& document,
-                   const std::function<std::vector<std::size_t>(const Document&)>& elements_of, Form form)
+                   const std::function<std::optional<std::vector<std::size_t>>(const Document&)>& elements_of,
+                   Form form)
     : document_(document) {
   const auto& of_elements = document.element_values;
   const auto& of_corners = document.element_node_values;
   if (of_elements.empty() && of_corners.empty()) return;
-  const std::vector<std::size_t> elements = elements_of(document);
+  const std::optional<std::vector<std::size_t>> chosen = elements_of(document);
+  if (!chosen) return;
+  const std::vector<std::size_t>& elements = *chosen;
   const std::size_t count = document.elements();
   const auto fits = [&](const Values& values) { return has_form(values, count, form); };
   bool same = elements.size() == count && std::all_of(of_elements.begin(), of_elements.end(), fits) &&

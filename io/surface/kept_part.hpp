@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "io/document.hpp"
@@ -22,9 +23,10 @@ class KeptPart {
   /// How values of some elements are told: as a list of elements, or as a run of them where they are one.
   enum class Form { lists, runs };
 
-  /// `elements` gives positions in the document, in the file's order. It is asked only if elements have
-  /// values.
-  KeptPart(const Document& document, const std::function<std::vector<std::size_t>(const Document&)>& elements,
+  /// `elements` gives positions in the document, in the file's order; nothing: the document stays as it is.
+  /// It is asked only if elements have values.
+  KeptPart(const Document& document,
+           const std::function<std::optional<std::vector<std::size_t>>(const Document&)>& elements,
            Form form);
   KeptPart(const KeptPart&) = delete;
   KeptPart& operator=(const KeptPart&) = delete;

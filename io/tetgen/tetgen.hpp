@@ -21,8 +21,8 @@
 //           for those with several polygons or holes; holes, regions. Behind them the lines of .edge
 //
 // Attributes of tetrahedra and markers of triangles, lines and polygons that are tags become physical groups
-// (io/model/groups_of_values.hpp), and groups are written as attributes and markers: the first of each element,
-// 0 for none. Negative markers, as TetGen 1.6 gives to what has none, stay values of their elements.
+// (io/model/groups_of_values.hpp), and groups are written as attributes and markers: the first of each
+// element, 0 for none. Negative markers, as TetGen 1.6 gives to what has none, stay values of their elements.
 //
 // Values belong to the elements of one file, and `first` is the first of them. Integers that are numbers of
 // elements are kept as in the file, counted from its first number.

@@ -117,8 +117,8 @@ TetgenTags tags_of(const Document& document, const TetgenList& list, const char*
 
 bool groups_come_back(const Document& document, const ElementBlock& block, const TetgenTags& tags) {
   const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-  return groups.empty() || (tags.groups && groups.size() == 1 && groups[0] > 0 &&
-                            groups[0] <= std::numeric_limits<std::int32_t>::max());
+  return groups.empty() ||
+         (tags.groups && groups[0] > 0 && groups[0] <= std::numeric_limits<std::int32_t>::max());
 }
 
 TetgenPlan plan_of_nodes(const Document& document) {

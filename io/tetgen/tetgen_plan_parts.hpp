@@ -34,7 +34,7 @@ const Values* values_of(const Document& document, const TetgenList& list, const 
 TetgenTags tags_of(const Document& document, const TetgenList& list, const char* name, bool reals,
                    int components);
 
-/// Whether a block's groups come back from the column of its list.
+/// Whether a block's first group comes back from the column of its list.
 bool groups_come_back(const Document& document, const ElementBlock& block, const TetgenTags& tags);
 
 /// Plans the nodes and their values.
