@@ -5,16 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/programs/two_groups.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace tetproof::test {
 namespace {
-
-const char* const two_groups =
-    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"steel\"\n$EndPhysicalNames\n"
-    "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 7 8 0\n$EndEntities\n"
-    "$Nodes\n1 4 10 40\n3 1 0 4\n10\n20\n30\n40\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"
-    "$Elements\n1 1 1 1\n3 1 4 1\n1 10 20 30 40\n$EndElements\n";
 
 TEST(Convert, SaysWhatIsLostAndConverts) {
   const ScratchFolder folder;
@@ -42,7 +37,7 @@ TEST(Convert, SaysWhatIsKeptAsideAndTakesItBack) {
   EXPECT_EQ(run.exit_code, 0) << run;
   EXPECT_EQ(run.err,
             "kept in comments: numbers of nodes: 4 (the first is 10)\n"
-            "kept in comments: physical groups of elements: 1 (element 1 in groups 7 8)\n"
+            "kept in comments: physical groups beyond an element's first: 1 (element 1 in groups 7 8)\n"
             "kept in comments: names of physical groups: 1 (steel)\n");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.msh", "b.ele", "b.node", "lost.json"}));
   EXPECT_EQ(folder.read("b.ele"), "1 4 1\n1 1 2 3 4 7\n");

@@ -190,11 +190,13 @@ TEST_F(Fuzz, AnotherProcessOnTheSameJournalIsRefused) {
 // tests/unit/corpus/campaign/kill_test.cpp.
 TEST_F(Fuzz, GoesOnAfterKills) {
   const std::string bug = "duplicate";
+  const auto start = std::chrono::steady_clock::now();
   const Outcome whole = fuzz({"--cases", "40", "--out", files / "whole"}, bug);
+  const std::chrono::duration<double> needed = std::chrono::steady_clock::now() - start;
   int kills = 0;
   for (int k = 0; k < 5; ++k, ++kills) {
     const Outcome killed =
-        run_program({"timeout", "-s", "KILL", std::to_string(0.2 + 0.15 * k), program("tetproof-fuzz"),
+        run_program({"timeout", "-s", "KILL", std::to_string(needed.count() / 8), program("tetproof-fuzz"),
                      "--cases", "40", "--out", files / "out", easy[0], easy[1], easy[2], easy[3], "--",
                      program("tetproof-faulty-mesher"), bug, "{surface}", "{mesh}"});
     if (killed.exit_code != 124 && killed.signal != SIGKILL && killed.exit_code != 137) break;  // it was done

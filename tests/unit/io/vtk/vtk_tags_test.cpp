@@ -150,9 +150,9 @@ TEST(VtkTags, OtherFieldDataStays) {
   const test::TestFiles files;
   Document document = read_document(files.write("a.vtk", legacy({{"gmsh:physical", "7 9"}})));
   const auto table = [](const char* name, std::vector<std::int64_t> numbers) {
-    Table table{.name = name, .rows = numbers.size(), .columns = {{.name = name, .type = "Int32"}}};
-    table.columns[0].integers = std::move(numbers);
-    return table;
+    Table made{.name = name, .rows = numbers.size(), .columns = {{.name = name, .type = "Int32"}}};
+    made.columns[0].integers = std::move(numbers);
+    return made;
   };
   document.tables = {table("range", {1, 2}), table("three", {7, 3, 1}), table("far", {7, 4})};
   EXPECT_THAT(losses(files.path("b.vtu"), document), IsEmpty());
