@@ -52,6 +52,7 @@ const std::vector<Codec>& codecs() {
       {{.name = "vtu",
         .what = "VTK XML unstructured grid",
         .endings = {".vtu"},
+        .endings_only_read = {".vtp", ".vti", ".vtr", ".vts"},
         .reads = true,
         .usually_binary = true},
        read_mesh<read_vtu>,

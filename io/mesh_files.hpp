@@ -19,6 +19,7 @@ struct Format {
   std::vector<std::string> endings;
   /// Endings of files that bring a file of this format which stands beside them. They are only read.
   std::vector<std::string> endings_beside{};
+  std::vector<std::string> endings_only_read{};  ///< of files that are never written
   bool reads = false;
   bool ascii = true, binary = true;  ///< the forms in which it can be written
   bool usually_binary = false;       ///< the form in which it is written if none is asked for

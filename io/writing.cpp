@@ -47,6 +47,10 @@ const KeptAside& PlannedFile::kept_aside() {
   return kept_aside_;
 }
 
+std::vector<Loss> PlannedFile::dangling() {
+  return io::dangling(written(), plan().holds());
+}
+
 const std::string& PlannedFile::warning() {
   if (!warning_) warning_ = plan().warning(path_);
   return *warning_;

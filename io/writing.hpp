@@ -38,6 +38,9 @@ class PlannedFile {
   const std::vector<Loss>& losses();
   /// See `kept_aside` in io/losses.hpp.
   const KeptAside& kept_aside();
+  /// Elements that stand in the file, but name nodes that do not: the format's own programs refuse the file
+  /// or read something else. One item, or none.
+  std::vector<Loss> dangling();
   /// See `write_warning` in io/mesh_files.hpp. The first call looks for old files.
   const std::string& warning();
 

@@ -8,6 +8,7 @@ usage: list.py [--check]
 """
 import json
 import pathlib
+import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -33,7 +34,8 @@ def row(folder):
     if len(first) > LONGEST:
         first = first[:LONGEST].rsplit(" ", 1)[0] + " ..."
     mesher, variant = (finding["mesher"].split(",") + [""])[:2]
-    version = finding["version"].split("(")[-1].rstrip(")").replace("Version ", "")
+    number = re.search(r"\d+(\.\d+)+", finding["version"])  # of "Version 1.6", "Netgen, libnglib.so.6.2.1905"
+    version = number.group() if number else finding["version"]
     often = f", {finding['failed']} of {finding['repeats']} runs" if finding["failed"] < finding["repeats"] else ""
     return (ORDER.index(finding["outcome"]),
             f"| [{folder.name}]({folder.name}/README.md) | {f'{mesher} {version}'.strip()}, {variant} | {NAMES[finding['outcome']]}{often} "

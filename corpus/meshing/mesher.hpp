@@ -34,6 +34,7 @@ struct MesherRun {
   /// no defect. 0: binary, or all digits of a double (17).
   int digits = 0;
   std::string mesh_file{};  ///< the file that it wrote, in the folder
+  std::string program{};    ///< what was run, with its path; empty: found in PATH, or no program
   /// The surface as the mesher got it, if its format rounds coordinates (STL); null: the surface itself.
   std::shared_ptr<const TriangleSurface> given{};
   double cpu_s = 0, wall_s = 0;

@@ -78,6 +78,7 @@ class ToolMesher : public Mesher {
     const std::string folder = std::filesystem::absolute(given_folder).string();
     MesherRun run;
     run.mesh_file = folder + "/" + tool_.mesh_file;
+    run.program = tool_.program;
     remove_old(run.mesh_file);
     SurfaceInput input;
     try {

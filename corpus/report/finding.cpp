@@ -17,6 +17,7 @@
 #include "corpus/report/readme.hpp"
 #include "corpus/report/statements.hpp"
 #include "io/bytes/atomic_file.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/bytes/words.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
@@ -111,6 +112,20 @@ std::string give_surface(const AtomicFolder& to, const FindingFacts& facts, cons
   return name;
 }
 
+// Without the folders of this machine, which tell a maintainer nothing.
+std::string without_places(std::string text, const MesherRun& run) {
+  const auto replace = [&text](const std::string& place, const std::string& by) {
+    for (std::size_t at = 0; !place.empty() && (at = text.find(place, at)) != std::string::npos;
+         at += by.size())
+      text.replace(at, place.size(), by);
+  };
+  if (const fs::path folder = fs::path(run.mesh_file).parent_path(); folder.is_absolute())
+    replace(folder.string() + "/", "");
+  if (const fs::path program = run.program; program.is_absolute())
+    replace(program.string(), program.filename().string());
+  return text;
+}
+
 bool can_check(const MesherRun& run, const std::string& ending) {
   const std::string format = run.document ? run.document->format : "";
   const bool other_msh = ending == ".msh" && !format.empty() && format != "msh22" && format != "msh41";
@@ -123,13 +138,14 @@ GivenMesh give_mesh(const AtomicFolder& to, const MesherRun& run) {
     const fs::path file = run.mesh_file;
     const std::string ending = file.extension().string(), stem = stem_of(run.mesh_file);
     given.file = "mesh" + ending;
-    fs::copy_file(file, to / given.file);
-    if (ending == ".ele" || ending == ".node")  // the two make one mesh
-      for (const char* other : {".ele", ".node"})
-        if (const fs::path beside = file.parent_path() / (stem + other);
-            other != ending && fs::exists(beside))
-          fs::copy_file(beside, to / ("mesh" + std::string(other)));
-    if (can_check(run, ending)) given.checked = given.file;
+    if (ending == ".ele" || ending == ".node") {  // the two make one mesh; TetGen's last line is its command
+      for (const char* one : {".node", ".ele"})
+        if (const fs::path part = file.parent_path() / (stem + one); fs::exists(part))
+          to.write("mesh" + std::string(one), without_places(std::string(InputFile(part.string()).bytes()), run));
+    } else {
+      fs::copy_file(file, to / given.file);
+    }
+    if (can_check(run, ending)) given.checked = ending == ".node" ? "mesh.ele" : given.file;
   }
   if (given.checked.empty() && !run.failure && !run.mesh.tets.empty()) {
     given.checked = given.file.empty() ? "mesh.msh" : "mesh-converted.msh";
@@ -198,7 +214,10 @@ Statements statements_for(const FindingFacts& facts, const TriangleSurface& surf
   return statements;
 }
 
-void fill(const AtomicFolder& to, const FindingFacts& facts) {
+void fill(const AtomicFolder& to, const FindingFacts& given) {
+  FindingFacts facts = given;
+  facts.run.message = without_places(facts.run.message, facts.run);
+  for (std::string& line : facts.run.warnings) line = without_places(line, facts.run);
   TriangleSurface surface = facts.run.given ? *facts.run.given : facts.shrunk;
   surface.parameters.clear();  // OFF would hold (u,v) as texture coordinates
   surface.evaluate = nullptr;
@@ -211,7 +230,7 @@ void fill(const AtomicFolder& to, const FindingFacts& facts) {
   const std::string surface_file = give_surface(to, facts, surface, run_folder);
   const GivenMesh mesh = give_mesh(to, facts.run);
   const std::string version = facts.mesher->version();
-  to.write("output.txt", facts.run.output);
+  to.write("output.txt", without_places(facts.run.output, facts.run));
   to.write("version.txt", (version.empty() ? "unknown" : version) + "\n");
   if (facts.judgement.report)
     to.write("report.json", verify::report_json(*facts.judgement.report, facts.run.numbering));

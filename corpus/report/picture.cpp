@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int width = 640, height = 470, top = 44, bottom = 54, margin = 14;
-constexpr std::size_t letters = 104;  // of the small print in a line
+constexpr std::size_t letters = 98;  // of the small print in a line: as many digits fit
 constexpr std::size_t most_triangles = 400, most_numbered = 30;
 constexpr const char* red = "#c8102e";
 // Of the marked tetrahedra, each in its colour.

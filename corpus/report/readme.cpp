@@ -35,12 +35,12 @@ std::string readme(const ReadmeFacts& about) {
   const Outcome outcome = facts.judgement.outcome;
   std::string text = fmt::format("# {}: {}\n\n", facts.mesher->name(), statements.headline);
   const std::string version = facts.mesher->version();
-  text += fmt::format("- **Mesher**: {}. Command, in this folder: {}\n",
-                      version.empty() ? fmt::format("{}, of unknown version", facts.mesher->name()) : version,
+  text += fmt::format("- **Mesher**: {}, {}. Command, in this folder: {}\n", facts.mesher->name(),
+                      version.empty() ? "of unknown version" : fmt::format("which says: {}", version),
                       command.empty() ? "a C++ function" : quoted(command));
   const std::string& what = facts.judgement.what.empty() ? facts.run.message : facts.judgement.what;
-  text += fmt::format("- **What is wrong**: {} ({}; group `{}`).{}\n", statements.headline, name_of(outcome),
-                      facts.judgement.signature, what.empty() ? "" : fmt::format(" {}", quoted(what)));
+  text += fmt::format("- **What is wrong**: {} ({}; group {}).{}\n", statements.headline, name_of(outcome),
+                      quoted(facts.judgement.signature), what.empty() ? "" : fmt::format(" {}", quoted(what)));
   const std::string of = mesh.checked.empty() ? "" : fmt::format("In `{}`: ", mesh.checked);
   const bool without_surface = statements.list.size() > 1;
   std::string seen;
@@ -53,9 +53,8 @@ std::string readme(const ReadmeFacts& about) {
   const bool by_run = std::any_of(statements.list.begin(), statements.list.end(),
                                   [](const auto& one) { return one.at("kind") == "run"; });
   text += fmt::format(
-      "- **Proof**: `python3 ../check.py .` (in `corpus/findings/`) {}, in exact fractions and by brute "
-      "force, "
-      "with Python's standard library and no code of the judge.{}\n",
+      "- **Proof**: `python3 ../check.py .` (in this folder) {}, in exact fractions and by brute "
+      "force, with Python's standard library and no code of the judge.{}\n",
       by_run ? "proves that the surface is valid" : "computes this anew from the files",
       by_run ? " How the command ends, only a run of the mesher shows." : "");
   std::string often = facts.repeats > 1

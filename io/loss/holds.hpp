@@ -89,4 +89,8 @@ struct Holds {
 /// Lists everything that is not held, item by item.
 std::vector<Loss> unheld(const Document& document, const Holds& holds);
 
+/// Elements that are written though they name nodes which do not exist. Our reader takes them back; the
+/// format's own programs refuse the file or read something else. One item, or none.
+std::vector<Loss> dangling(const Document& document, const Holds& holds);
+
 }  // namespace tetproof::io

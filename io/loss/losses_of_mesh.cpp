@@ -37,6 +37,11 @@ class MeshLosses : LossFinder {
     coordinates();
   }
 
+  void find_dangling() {
+    for (const ElementBlock& block : document_.blocks)
+      if (holds_.nodes_each(block) > 0) unknown_nodes(block);
+  }
+
  private:
   // Elements that are not written, or are written without their nodes between the corners.
   void elements() {
@@ -196,6 +201,13 @@ class MeshLosses : LossFinder {
 void find_losses_of_mesh(const Document& document, const Holds& holds, const WrittenPart& written,
                          std::vector<Loss>& losses) {
   MeshLosses(document, holds, written, losses).find();
+}
+
+std::vector<Loss> dangling(const Document& document, const Holds& holds) {
+  std::vector<Loss> found;
+  if (holds.unknown_nodes && !document.unknown.empty())
+    MeshLosses(document, holds, WrittenPart(document, holds), found).find_dangling();
+  return found;
 }
 
 }  // namespace tetproof::io

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "io/error.hpp"
 #include "io/medit/medit.hpp"
@@ -230,9 +232,11 @@ class MeditFilePlan : public FilePlan {
     }
     std::vector<std::string> names;
     for (const auto& [values, field] : plan_.fields) names.push_back(fmt::format("\"{}\"", values->name));
+    std::error_code none;
     return fmt::format(
-        "{}: is written too, with the values {}; MMG takes one field for the sizes it shall make",
-        solution_of(path), fmt::join(names, ", "));
+        "{}: is {} too, with the values {}; MMG takes one field for the sizes it shall make",
+        solution_of(path), std::filesystem::exists(solution_of(path), none) ? "replaced" : "written",
+        fmt::join(names, ", "));
   }
   void write(const std::string& path, const std::string&) override {
     if (is_medit_solution(path))

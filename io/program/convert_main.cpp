@@ -59,18 +59,20 @@ Document input(const std::string& in, const ReadOptions& options) {
 }
 
 // What --strict, or --strict-native, does not permit: what is not read or lost; elements that only our reader
-// takes back; and under --strict-native everything else that only our reader takes back.
+// takes back; and under --strict-native everything else that only our reader takes back, be it kept aside or
+// elements that name nodes which do not exist.
 struct Refusal {
-  std::vector<Loss> not_read, lost, kept;
+  std::vector<Loss> not_read, lost, kept, dangling;
 
   Refusal(const Choices& choices, const std::vector<Loss>& dropped, const std::vector<Loss>& losses,
-          const std::vector<Loss>& aside) {
+          const std::vector<Loss>& aside, const std::vector<Loss>& without_nodes) {
     if (!choices.strict && !choices.strict_native) return;
     not_read = dropped, lost = losses;
     for (const Loss& loss : aside)
       if (choices.strict_native || loss.elements) kept.push_back(loss);
+    if (choices.strict_native) dangling = without_nodes;
   }
-  std::size_t items() const { return not_read.size() + lost.size() + kept.size(); }
+  std::size_t items() const { return not_read.size() + lost.size() + kept.size() + dangling.size(); }
 
   // "would be lost", "are not read or only in comments", ...
   std::string why(const std::string& kept_in) const {
@@ -80,6 +82,7 @@ struct Refusal {
     if (!lost.empty()) reasons.push_back("would be lost");
     if (!kept.empty())
       reasons.push_back(fmt::format("would stand in {} only, which other programs do not read", kept_in));
+    if (!dangling.empty()) reasons.push_back("would name nodes that do not exist");
     return fmt::format("{}", fmt::join(reasons, " or "));
   }
 };
@@ -166,7 +169,7 @@ int convert(Choices& choices, const program::Common& common) {
     add_output(choices.out, document);
   }
 
-  std::vector<Loss> lost, kept;
+  std::vector<Loss> lost, kept, dangling;
   std::string kept_in;
   for (const program::DoneEdit& edit : done)
     lost.insert(lost.end(), edit.edit.lost.begin(), edit.edit.lost.end());
@@ -176,8 +179,10 @@ int convert(Choices& choices, const program::Common& common) {
     const KeptAside& aside = output.file->kept_aside();
     kept.insert(kept.end(), aside.items.begin(), aside.items.end());
     if (!aside.items.empty()) kept_in = aside.where;
+    const std::vector<Loss>& without_nodes = output.file->dangling();
+    dangling.insert(dangling.end(), without_nodes.begin(), without_nodes.end());
   }
-  const Refusal refusal(choices, document.dropped, lost, kept);
+  const Refusal refusal(choices, document.dropped, lost, kept, dangling);
   const bool refused = refusal.items() > 0;
   for (Output& output : outputs)
     if (!refused) output.file->write();
@@ -188,10 +193,12 @@ int convert(Choices& choices, const program::Common& common) {
     result["output"] = output_json(outputs.front(), !refused);
   result["losses"] = program::losses_json(lost);
   result["kept_aside"] = program::losses_json(kept);
+  result["dangling"] = program::losses_json(dangling);
   if (!choices.losses_file.empty())
     program::write_json(choices.losses_file, Json{{"dropped", result["dropped"]},
                                                   {"losses", result["losses"]},
-                                                  {"kept_aside", result["kept_aside"]}});
+                                                  {"kept_aside", result["kept_aside"]},
+                                                  {"dangling", result["dangling"]}});
   if (!common.json.empty()) program::write_json(common.json, result);
   if (!refused) return program::sound;
   program::say(common,
@@ -256,7 +263,8 @@ int main(int argc, char** argv) {
                      "lose nothing, in reading and in writing, or exit 1 and write nothing. What only "
                      "tetproof reads back from a comment or a section is no loss, unless it is elements");
         app.add_flag("--strict-native", choices->strict_native,
-                     "likewise, and any program that reads the format gets all of it");
+                     "likewise, and any program that reads the format gets all of it: nothing kept aside, no "
+                     "element that names a node which does not exist");
         app.add_flag("--info", choices->info, "print what the file holds, after the edits; no OUT");
         program::declare_edits(app, choices->edits);
         return [choices, &common] { return convert(*choices, common); };

@@ -60,10 +60,12 @@ std::string grid_endings_read() {
 }
 
 std::string endings_read() {
-  std::vector<std::string> beside;
-  for (const Format& format : formats())
+  std::vector<std::string> endings = known_endings(), beside;
+  for (const Format& format : formats()) {
+    endings.insert(endings.end(), format.endings_only_read.begin(), format.endings_only_read.end());
     beside.insert(beside.end(), format.endings_beside.begin(), format.endings_beside.end());
-  return fmt::format("{}; beside their mesh {}; through Gmsh: {}", fmt::join(known_endings(), " "),
+  }
+  return fmt::format("{}; beside their mesh {}; through Gmsh: {}", fmt::join(endings, " "),
                      fmt::join(beside, " "), fmt::join(io::gmsh_endings(), " "));
 }
 

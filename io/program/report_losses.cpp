@@ -30,6 +30,9 @@ MeshOutput::MeshOutput(const Common& common, FilesInUse& files, const std::strin
   files.writes_mesh(argument, file_);
   for (const Loss& loss : losses()) say(common, loss_line("lost", loss));
   for (const Loss& loss : kept_aside().items) say(common, loss_line("kept in " + kept_aside().where, loss));
+  dangling_ = file_.dangling();
+  for (const Loss& loss : dangling_)
+    say(common, "warning: " + loss_line(path, loss) + ": other programs may refuse the file");
   if (!file_.warning().empty()) say(common, "warning: " + file_.warning());
 }
 

@@ -28,7 +28,7 @@ nlohmann::ordered_json losses_json(const std::vector<Loss>& losses);
 class MeshOutput {
  public:
   /// Says on standard error what the file will not hold ("lost: ..."), what only our reader takes back
-  /// ("kept in ..."), and the writer's warning. Nothing is written yet. InputError as
+  /// ("kept in ..."), and warnings: the writer's, and of elements without nodes. Nothing is written yet. InputError as
   /// `FilesInUse::writes_mesh`; `argument` is the path's name in --help.
   MeshOutput(const Common& common, FilesInUse& files, const std::string& argument, const std::string& path,
              const Document& document, const WriteOptions& options = {});
@@ -36,10 +36,12 @@ class MeshOutput {
   const Encoding& encoding() const { return file_.encoding(); }
   const std::vector<Loss>& losses() { return file_.losses(); }
   const KeptAside& kept_aside() { return file_.kept_aside(); }
+  const std::vector<Loss>& dangling() const { return dangling_; }  ///< see `PlannedFile::dangling`
   void write() { file_.write(); }
 
  private:
   PlannedFile file_;
+  std::vector<Loss> dangling_;
 };
 
 }  // namespace tetproof::program

@@ -15,8 +15,9 @@ namespace tetproof::io {
 /// POLYDATA, and the structured ones: STRUCTURED_POINTS, STRUCTURED_GRID and RECTILINEAR_GRID become
 /// hexahedra (quadrangles, lines), with a warning. Attributes of points and cells (SCALARS, VECTORS,
 /// COLOR_SCALARS, ...) become values. Field data and lookup tables become tables. The cell data
-/// "CellEntityIds" (where Gmsh writes entities, or the numbers of physical groups when it saves by groups)
-/// and "group", "group 2", ... become entities and physical groups. The second line is the document's title.
+/// with a name of io/model/tag_words.hpp become entities and physical groups, as in .vtu. (Gmsh's
+/// "CellEntityIds" are entities, or the numbers of physical groups when it saves by groups.) The second line
+/// is the document's title, unless it is "vtk output", which VTK's writer makes up.
 /// See `add_vtk_piece` for cells that are not kept as they are.
 ///
 /// CELL_TYPES may stand before CELLS. A word that begins with the name of a type, such as `int1`, is read as

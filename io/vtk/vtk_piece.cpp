@@ -102,7 +102,7 @@ class Adder {
     for (const TagWord& word : tag_words)
       if (word.tag == Tag::group && take(word.word, groups)) {
         groups_.push_back(std::move(groups));
-        if (word.word != own_group_word && word.word != old_group_word) document_.group_word = word.word;
+        if (word.word != own_group_word) document_.group_word = word.word;
         break;
       }
     if (groups_.empty()) return;

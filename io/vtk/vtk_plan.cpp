@@ -254,7 +254,7 @@ VtkPlan vtk_plan(const Document& document, const std::string& entities) {
 
 Holds vtk_holds(const Document& document, const VtkPlan& plan) {
   Holds holds = holds_of_both(document, plan);
-  holds.title = document.title.size() <= longest_vtk_title &&
+  holds.title = document.title.size() <= longest_vtk_title && document.title != made_up_vtk_title &&
                 document.title.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos;
   holds.roles = [&document, &plan](const Values& values, Of of) {
     if (values.roles.empty()) return true;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/document.hpp"
@@ -49,6 +50,8 @@ Holds vtu_holds(const Document& document, const VtkPlan& plan);
 
 /// The most bytes of a title in a legacy file. VTK's limit for the line is 256, its end included.
 inline constexpr std::size_t longest_vtk_title = 255;
+/// The title that VTK's writer makes up, which says nothing.
+inline constexpr std::string_view made_up_vtk_title = "vtk output";
 
 /// Whether the strings of an array can be told apart in XML, where a zero byte ends each of them.
 bool are_vtu_strings(std::span<const std::string> texts);

@@ -14,6 +14,7 @@
 #include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_legacy.hpp"
 #include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_plan.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -52,7 +53,7 @@ class Reader {
     const std::string_view first = in_.rest_of_line();
     if (!lower_case(first).starts_with("# vtk datafile version")) in_.fail("# vtk DataFile Version", first);
     in_.next_line();
-    document_.title = in_.rest_of_line();
+    if (const std::string title(in_.rest_of_line()); title != made_up_vtk_title) document_.title = title;
     in_.next_line();
     const std::string_view kind = in_.word();
     const std::string name = lower_case(kind);

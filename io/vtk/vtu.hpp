@@ -14,8 +14,9 @@ namespace tetproof::io {
 /// StructuredGrid (.vts): ASCII, base64 and appended data of both byte orders, compressed by zlib, LZ4, LZMA
 /// or not. Structured grids become hexahedra (quadrangles, lines), with a warning. Pieces are put one after
 /// the other. Point and cell data become values with their roles (Scalars="..."), and field data a table for
-/// each array. The cell data "entity" (or "CellEntityIds") and "group", "group 2", ... become entities and
-/// physical groups. Nodes and cells are numbered from 0. See `add_vtk_piece` for the cells that are not kept
+/// each array. The cell data with a name of io/model/tag_words.hpp ("gmsh:physical",
+/// "medit:ref", "CellEntityIds", ...) become physical groups, with "group 2", ... for further ones, and
+/// entities. Nodes and cells are numbered from 0. See `add_vtk_piece` for the cells that are not kept
 /// as they are.
 ///
 /// Everything else is listed as dropped: names of components, information keys, the division into pieces, and
@@ -24,9 +25,10 @@ namespace tetproof::io {
 Document read_vtu(const InputFile& file);
 
 /// An unstructured grid, with coordinates as Float64, integers as Int64; base64 if `binary`. Values become
-/// point and cell data, with their roles; texts are texts again if a file of VTK had them. Entity tags and
-/// physical groups become cell data "entity" and "group", "group 2", ..., where there are any (of entities,
-/// besides 0 and, unless a file of VTK said so, 1); tables become field data. Elements that VTK does not have
+/// point and cell data, with their roles; texts are texts again if a file of VTK had them. Entity tags become
+/// cell data "gmsh:geometrical", where there are any besides 0 and, unless a file of VTK said so, 1; physical
+/// groups become "gmsh:physical" (or keep the name that they had in a file of VTK), "group 2", ...; names of
+/// groups and tables become field data. Elements that VTK does not have
 /// are written by their corners; those that name unknown nodes are left out.
 ///
 /// Warns of text with -inf: VTK 9.1 reads it as inf.

@@ -141,6 +141,8 @@ TEST(MeditSolutions, AreWrittenAndComeBack) {
         << file.warning();
     file.write();
     EXPECT_EQ(test::text_of(read_document(files.path(name)), false), test::text_of(document, false));
+    EXPECT_NE(write_warning(files.path(name), document).find(fmt::format("{}: is replaced too", beside)),
+              std::string::npos);
   }
   EXPECT_EQ(files.read(files.path("b.sol")), sol);  // as MMG has it
 }

@@ -71,6 +71,22 @@ TEST(VtkTags, TheFirstWordCountsAndTheOthersAreData) {
   }
 }
 
+// A pipeline that looks for its array by name finds it again.
+TEST(VtkTags, KeepTheirWordFromVtkToVtk) {
+  const test::TestFiles files;
+  for (const io::TagWord& word : io::tag_words) {
+    if (word.tag != io::Tag::group) continue;
+    const std::string name(word.word);
+    const Document document = read_document(files.write("a.vtk", legacy({{name, "7 9"}})));
+    for (const char* to : {"b.vtu", "b.vtk"}) {
+      write_document(files.path(to), document, {.binary = false});
+      EXPECT_THAT(files.read(files.path(to)),
+                  HasSubstr(to == std::string("b.vtu") ? "\"" + name + "\"" : "\n" + name + " 1 2 int\n"));
+      EXPECT_THAT(tags(read_document(files.path(to)), word.tag), ElementsAre(7, 9)) << to;
+    }
+  }
+}
+
 TEST(VtkTags, AreNotTakenFromRealsAndZeros) {
   const test::TestFiles files;
   for (const std::string& text : {legacy({{"material", "0 0"}}), legacy({{"material", "7 9"}}, "double")}) {

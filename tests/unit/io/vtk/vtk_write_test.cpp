@@ -54,6 +54,22 @@ TEST(VtkFiles, RoundTrips) {
     }
 }
 
+// VTK's writer gives every file this title, so that a file of VTK's loses nothing on its way to other formats.
+TEST(VtkFiles, TheTitleThatVtkMakesUpIsNone) {
+  const test::TestFiles files;
+  std::string text =
+      "# vtk DataFile Version 3.0\nvtk output\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+      "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n";
+  Document document = read_document(files.write("a.vtk", text));
+  EXPECT_EQ(document.title, "");
+  for (const char* to : {"b.vtu", "b.mesh", "b.vtk"})
+    EXPECT_TRUE(losses(files.path(to), document).empty()) << to;
+  text.replace(text.find("vtk output"), 10, "vtk outputs");
+  EXPECT_EQ(read_document(files.write("a.vtk", text)).title, "vtk outputs");
+  document.title = "vtk output";  // of another format: it would not come back
+  EXPECT_EQ(losses(files.path("b.vtk"), document).size(), 1U);
+}
+
 // Padding inside an array's base64 stops Python's decoder ("Incorrect padding" since Python 3.13).
 TEST(VtuFiles, Base64IsPaddedAtItsEndOnly) {
   const test::TestFiles files;
