@@ -62,7 +62,7 @@ def by_vtk(path):
 TOOLS = {  # the file that each is given, and what reads it and writes it anew
     "Gmsh": ("mesh.msh", gmsh),
     "TetGen -r": ("mesh.1.node", tetgen),
-    "VTK, ParaView": ("mesh.vtu", by_vtk),
+    "VTK (.vtu)": ("mesh.vtu", by_vtk),
     "meshio (.vtu)": ("mesh.vtu", by_meshio),
     "Medit (meshio)": ("mesh.mesh", by_meshio),
 }
