@@ -90,6 +90,10 @@ struct Values {
 
   std::vector<std::string> roles{};  ///< in VTK's attributes: "Scalars", "Vectors", "GlobalIds", ...
 
+  /// By which power of lengths they grow with the mesh, where a join has left no format that tells. 0: not,
+  /// or the format tells.
+  int length_power = 0;
+
   std::size_t size() const { return reals.empty() ? integers.size() : reals.size(); }
   /// The number of nodes or elements that have values.
   std::size_t items() const {
@@ -207,6 +211,8 @@ struct Document {
   std::vector<std::int64_t> element_tags;  ///< empty: numbered from `first_element` on
   std::int64_t first_element = 1;
   std::vector<std::int64_t> unknown;
+  /// Whether numbers are those of files, where a join has left no format that tells.
+  bool numbers_nodes = false, numbers_elements = false;
 
   std::vector<std::vector<std::int64_t>> tag_sets{{}};  ///< each once; 0 is the empty set
   std::vector<Entity> entities;

@@ -2,7 +2,6 @@
 // The boundary of a document's solids.
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -11,10 +10,14 @@
 
 #include "io/bytes/words.hpp"
 #include "io/edit/edits.hpp"
+#include "io/edit/free_numbers.hpp"
 #include "io/edit/new_elements.hpp"
 #include "io/edit/outer_faces.hpp"
 #include "io/edit/solid_faces.hpp"
+#include "io/edit/solid_sign.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
+#include "io/model/block_of.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/tag_sets.hpp"
 
@@ -30,6 +33,10 @@ std::vector<Index> different_corners(std::size_t corners, const Nodes& node) {
   return all;
 }
 
+std::int64_t free_number(const std::set<std::int64_t>& taken) {
+  return FreeNumbers({taken.begin(), taken.end()}).next();
+}
+
 class Boundary {
  public:
   explicit Boundary(Document& document) : document_(document), elements_(document), tag_sets_(document) {}
@@ -40,10 +47,10 @@ class Boundary {
   const Index* nodes_of(const ElementBlock& block, std::size_t e) const {
     return document_.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each);
   }
-  bool is_inverted(const ElementBlock& block, const Index* nodes) const;
   void collect();
   void add(const ElementBlock& block, std::size_t e, const SolidFace& face, bool inverted);
-  bool add_element_there(std::span<const Index> corners);
+  bool add_element_there(std::span<const Index> corners, std::size_t wanted);
+  void unite_groups(ElementBlock& like, const ElementBlock& further);
   std::int32_t groups_of(std::int32_t set);
   std::int64_t entity_of(std::int64_t entity);
 
@@ -57,23 +64,8 @@ class Boundary {
   std::map<std::int64_t, std::int64_t> groups_, entities_;  // of volumes: their numbers among surfaces
   std::set<std::int64_t> taken_groups_, taken_entities_;    // among surfaces
   std::size_t solids_ = 0, inverted_ = 0, from_elements_ = 0, by_corners_ = 0, others_ = 0;
+  std::vector<Loss> lost_;
 };
-
-// The sign of the volume, as a sum over the faces.
-bool Boundary::is_inverted(const ElementBlock& block, const Index* nodes) const {
-  double volume = 0;
-  for (const SolidFace& face : solid_faces(block.type)) {
-    for (int k = 0; k < face.corners; ++k)
-      if (nodes[face.nodes[static_cast<std::size_t>(k)]] < 0) return false;
-    const auto from_first = [&](std::size_t k) -> Eigen::Vector3d {
-      return document_.points[static_cast<std::size_t>(nodes[face.nodes[k]])] -
-             document_.points[static_cast<std::size_t>(nodes[0])];
-    };
-    for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(face.corners); ++k)
-      volume += from_first(0).dot(from_first(k).cross(from_first(k + 1)));
-  }
-  return volume < 0;
-}
 
 void Boundary::collect() {
   for (const ElementBlock& block : document_.blocks) {
@@ -84,7 +76,7 @@ void Boundary::collect() {
       for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(block.groups)])
         taken_groups_.insert(std::abs(group));
     if (faces.empty()) {
-      if (has_other_cells(block)) others_ += block.count;
+      if ((type ? type->dim : block.type == polyhedron ? 3 : block.dim) == 3) others_ += block.count;
       if (!type || (type->shape != Shape::triangle && type->shape != Shape::quadrangle)) continue;
       for (std::size_t e = 0; e < block.count; ++e) {
         const Index* nodes = nodes_of(block, e);
@@ -122,7 +114,7 @@ std::int32_t Boundary::groups_of(std::int32_t set) {
   for (std::int64_t& group : groups) {
     const auto [place, is_new] = groups_.try_emplace(std::abs(group), std::abs(group));
     if (is_new) {
-      if (taken_groups_.contains(place->second)) place->second = *taken_groups_.rbegin() + 1;
+      if (taken_groups_.contains(place->second)) place->second = free_number(taken_groups_);
       taken_groups_.insert(place->second);
       for (std::size_t i = 0; i < document_.group_names.size(); ++i)
         if (GroupName name = document_.group_names[i]; name.dim == 3 && name.group == place->first)
@@ -137,36 +129,51 @@ std::int64_t Boundary::entity_of(std::int64_t entity) {
   if (entity == 0) return 0;
   const auto [place, is_new] = entities_.try_emplace(entity, entity);
   if (is_new) {
-    if (taken_entities_.contains(entity)) place->second = *taken_entities_.rbegin() + 1;
+    if (taken_entities_.contains(entity)) place->second = free_number(taken_entities_);
     taken_entities_.insert(place->second);
   }
   return place->second;
 }
 
-// Adds the element of the document that has these corners, if there is one, wound as they are.
-bool Boundary::add_element_there(std::span<const Index> corners) {
+void Boundary::unite_groups(ElementBlock& like, const ElementBlock& further) {
+  std::vector<std::int64_t> groups = document_.tag_sets[static_cast<std::size_t>(like.groups)];
+  for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(further.groups)])
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  like.groups = tag_sets_(groups);
+}
+
+// Adds the element of the document that has these corners, if there is one, wound as they are. Of several, it
+// is the first, with the groups of all: a face stands in a surface once. `wanted`: how many nodes show the
+// solid's side.
+bool Boundary::add_element_there(std::span<const Index> corners, std::size_t wanted) {
   const auto found = find_face(there_, Face(corners, 0));
   if (found == there_.end()) return false;
-  const auto block = std::prev(
-      std::upper_bound(document_.blocks.begin(), document_.blocks.end(), found->id,
-                       [](std::size_t element, const ElementBlock& b) { return element < b.first; }));
-  const Index* nodes = nodes_of(*block, found->id - block->first);
-  const ElementType& type = *element_type(block->type);
+  const ElementBlock& block = block_of(document_.blocks, found->id);
+  const Index* nodes = nodes_of(block, found->id - block.first);
+  const ElementType& type = *element_type(block.type);
   const auto n = static_cast<std::size_t>(type.corners);
   const auto at = static_cast<std::size_t>(std::find(nodes, nodes + n, corners[0]) - nodes);
   const bool same_way = nodes[(at + 1) % n] == corners[1] || nodes[(at + n - 1) % n] != corners[1];
   std::vector<std::int32_t> local(static_cast<std::size_t>(type.nodes));
   std::iota(local.begin(), local.end(), 0);
-  ElementBlock like = *block;
+  ElementBlock like = block;
+  for (auto further = std::next(found); further != there_.end() && further->corners == found->corners;
+       ++further) {
+    unite_groups(like, block_of(document_.blocks, further->id));
+    add_loss(lost_, "further elements on a face", 1,
+             fmt::format("element {} on that of element {}, which has the groups of both",
+                         document_.element_tag(further->id), document_.element_tag(found->id)),
+             true);
+  }
   if (!same_way) {
     if (type.nodes > type.corners && type.nodes > 2 * type.corners + 1) {
       local.resize(n);
       like.type = n == 3 ? triangle3 : quadrangle4;
-      ++by_corners_;
     }
     std::reverse(local.begin() + 1, local.begin() + type.corners);
     if (local.size() > n) std::reverse(local.begin() + type.corners, local.begin() + 2 * type.corners);
   }
+  by_corners_ += local.size() < wanted || (local.size() == n && type.nodes > type.corners);
   elements_.add(like, found->id, nodes, local);
   ++from_elements_;
   return true;
@@ -178,19 +185,22 @@ void Boundary::add(const ElementBlock& block, std::size_t e, const SolidFace& fa
   const auto n = static_cast<std::ptrdiff_t>(face.corners);
   if (inverted) {
     std::reverse(local.begin() + 1, local.begin() + n);
-    if (local.size() > face.nodes.size() / 2 && static_cast<std::ptrdiff_t>(local.size()) >= 2 * n)
+    if (static_cast<std::ptrdiff_t>(local.size()) >= 2 * n)
       std::reverse(local.begin() + n, local.begin() + 2 * n);
   }
   const auto corners =
       different_corners(static_cast<std::size_t>(n), [&](std::size_t k) { return nodes[local[k]]; });
-  if (add_element_there(corners)) return;
+  const ElementType& solid = *element_type(block.type);
+  const bool collapsed = corners.size() < static_cast<std::size_t>(n);
+  const std::size_t wanted = solid.nodes == solid.corners ? 0
+                             : collapsed                  ? corners.size() + 1
+                                                          : std::max(local.size(), corners.size() + 1);
+  if (add_element_there(corners, wanted)) return;
   ElementBlock like = block;
   like.dim = 2;
   like.type = face.type;
   like.entity = entity_of(block.entity);
   like.groups = groups_of(block.groups);
-  const ElementType& solid = *element_type(block.type);
-  const bool collapsed = corners.size() < static_cast<std::size_t>(n);
   if (collapsed) {  // the nodes of its edges are of no use
     std::vector<std::int32_t> left;
     for (const Index corner : corners)
@@ -215,7 +225,7 @@ Edit Boundary::make() {
       const bool any = std::any_of(outer_.begin() + static_cast<std::ptrdiff_t>(id),
                                    outer_.begin() + static_cast<std::ptrdiff_t>(id + faces.size()),
                                    [](bool outer) { return outer; });
-      const bool inverted = any && is_inverted(block, nodes_of(block, e));
+      const bool inverted = any && is_inverted(document_, block, nodes_of(block, e));
       inverted_ += inverted;
       for (const SolidFace& face : faces)
         if (outer_[id++]) add(block, e, face, inverted);
@@ -225,6 +235,7 @@ Edit Boundary::make() {
   const std::size_t made = elements_.size();
   document_.facets.clear();
   edit.lost = std::move(elements_).replace(document_, NewElements::Numbers::anew);
+  edit.lost.insert(edit.lost.end(), lost_.begin(), lost_.end());
   edit.did = fmt::format("{} of {} in place of {}", counted(made, "boundary faces"),
                          counted(solids_, "solids"), counted(before, "elements"));
   if (from_elements_ > 0)
@@ -237,12 +248,8 @@ Edit Boundary::make() {
                             counted(counts_.halved, "quadrangles"));
   if (counts_.of_many > 0)
     edit.did += fmt::format("; {} of three or more solids left out", counted(counts_.of_many, "faces"));
-  const auto lose = [&](const char* item, std::size_t count, const char* example) {
-    if (count > 0)
-      edit.lost.push_back({.item = item, .count = static_cast<std::int64_t>(count), .example = example});
-  };
-  lose("faces by their corners", by_corners_, "their other nodes are left out");
-  lose("solids without faces", others_, "their boundary is left out");
+  add_loss(edit.lost, "faces by their corners", by_corners_, "their other nodes are left out");
+  add_loss(edit.lost, "solids without faces", others_, "their boundary is left out", true);
   return edit;
 }
 

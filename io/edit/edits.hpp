@@ -21,14 +21,17 @@ struct Edit {
 /// Adds another document behind `document`. Points and elements come behind those that are there.
 ///
 /// Node numbers, element numbers and tags of entities that both have are moved up in `other`, all of them by
-/// the same step, so that they come behind. Groups of the same dimension are one group if they have the same
-/// name, or the same number and not two names; a number that two names claim is given anew in `other`. Values
-/// of the same name, kind and step become one. Lost: what a document has once, if the two differ (title,
-/// Voronoi diagram, tables and sections of one name), and numbers of elements in TetGen's values.
+/// the same step, so that they come behind. Numbers that a reader counted come behind those of a file.
+/// Numbers that name nothing go on naming nothing. Groups of the same dimension are one group if they have a
+/// name in common, or the same number and not two names; two groups of `other` stay two. A number that two
+/// groups claim is given anew in `other`, and all names stay. Values of the same name, kind and step become
+/// one. Lost: what a document has once, if the two differ (title, Voronoi diagram, tables and sections of one
+/// name), sections of a document whose numbers move, and numbers of elements in TetGen's values.
 Edit join(Document& document, Document&& other);
 
 /// Multiplies all lengths by a positive number: coordinates, boxes, holes, regions and their bounds, TetGen's
-/// sizes. Other values stay. InputError if a point would leave the range of doubles.
+/// sizes. Other values stay. InputError if one of them would leave the range of doubles, or become so small
+/// that digits are gone.
 Edit scale(Document& document, double factor);
 /// Moves everything that has a place.
 Edit translate(Document& document, const Eigen::Vector3d& by);
@@ -36,12 +39,13 @@ Edit translate(Document& document, const Eigen::Vector3d& by);
 /// Merges points. Without a tolerance: those with the same coordinates (-0 equals 0, NaN equals nothing).
 /// With one: point by point in the document's order, a point goes to the first of those that stayed so far
 /// whose distance is not larger than the tolerance; so no chain of near points collapses. The first point's
-/// place, number and values stay. Elements that have a node twice thereafter stay, and are counted.
+/// place, number, entity and values stay; what differs is listed. Elements that have a node twice thereafter
+/// stay, and are counted.
 Edit merge_points(Document& document, std::optional<double> tolerance = {});
 
 /// Keeps the elements of some types: comma-separated words of `name_of_elements` ("tetrahedra", "triangles",
-/// ...; the singular too), any order, or Gmsh's numbers of types. All points stay. InputError for an unknown
-/// word, and if no element would be left.
+/// ...; the singular too), any order, or Gmsh's numbers of types. "lines" are polylines too. All points stay.
+/// InputError for an unknown word, and if no element would be left.
 Edit keep_only(Document& document, const std::string& types);
 
 /// Replaces all elements by the boundary of the solids: their faces that belong to one solid only, wound
@@ -51,23 +55,27 @@ Edit keep_only(Document& document, const std::string& types);
 /// face has the groups, partitions and values of its solid; a group or an entity of volumes keeps its number
 /// and name among those of surfaces, and gets a new number if there is one of that number. Faces have the
 /// nodes of their solid up to the second order, and are given by corners above. A quadrangle and the two
-/// triangles that cover it are inside. InputError if there are no solids.
+/// triangles that cover it are inside. Of several elements on one face, the first stays, with the groups of
+/// all. Lost: further elements there, nodes of solids between corners that faces have not, and solids that no
+/// rule says the faces of (polyhedra, Bezier tetrahedra). InputError if there are no others.
 Edit boundary(Document& document);
 
 /// Cuts quadrangles and polygons, facets of several polygons too, into triangles by the rules of
 /// io/surface/cutting.hpp. Triangles have the groups and values of what they are cut from. Quadrangles of
-/// higher order are cut by their corners; triangles stay as they are. InputError for a polygon that crosses
-/// itself.
+/// higher order are cut by their corners; triangles and all that are no faces stay as they are. Lost: facets
+/// without area. InputError for a polygon that crosses itself.
 Edit triangulate(Document& document);
 
-/// Leaves out the points that no element has. Their numbers stay free.
+/// Leaves out the points that no element has. The others keep the numbers that the file says.
 Edit prune(Document& document);
-/// Numbers nodes and elements from 1 on, in the document's order.
+/// Numbers nodes and elements from 1 on, in the document's order. Numbers that name nothing go on naming
+/// nothing. Lost: sections, which may name numbers.
 Edit renumber(Document& document);
 
 /// The elements of one physical group, and their points.
 struct GroupPart {
-  std::string word;  ///< for the name of a file, different for all parts: "steel", "7", "ungrouped"
+  /// For the name of a file: "steel", "7", "ungrouped". Different for all parts, capitals or not.
+  std::string word;
   Document document;
   std::vector<Loss> lost;  ///< as of an `Edit`
 };

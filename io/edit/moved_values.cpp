@@ -63,13 +63,4 @@ void set_numbers(std::vector<std::int64_t> numbers, std::vector<std::int64_t>& t
   tags = std::move(numbers);
 }
 
-bool has_node_numbers(const Document& document) {
-  return !document.node_tags.empty() || document.format.starts_with("msh") || document.format == "tetgen" ||
-         document.format == "poly" || document.format == "smesh";
-}
-
-bool has_element_numbers(const Document& document) {
-  return !document.element_tags.empty() || document.format.starts_with("msh");
-}
-
 }  // namespace tetproof::io

@@ -30,8 +30,4 @@ void move_rows(Values& values, std::span<const MovedRow> rows);
 /// Sets the numbers of nodes or elements; numbers that count up are stored as their first.
 void set_numbers(std::vector<std::int64_t> numbers, std::vector<std::int64_t>& tags, std::int64_t& first);
 
-/// Whether the file says its nodes' (elements') numbers, so that an edit keeps them. Else the reader counted.
-bool has_node_numbers(const Document& document);
-bool has_element_numbers(const Document& document);
-
 }  // namespace tetproof::io

@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
+#include "io/edit/free_numbers.hpp"
 #include "io/edit/moved_values.hpp"
+#include "io/edit/origin.hpp"
+#include "io/edit/unknown_numbers.hpp"
+#include "io/loss/loss_list.hpp"
+#include "io/model/block_of.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -64,6 +70,10 @@ std::vector<Loss> NewElements::replace(Document& document, Numbers numbers) && {
     made_[next[static_cast<std::size_t>(from_[i])]++] = static_cast<Index>(i);
 
   std::vector<Loss> lost = without_element_numbers(document);
+  bool others = from_.size() != document.elements();
+  for (std::size_t i = 0; i < from_.size() && !others; ++i) others = from_[i] != static_cast<Index>(i);
+  if (others && (numbers == Numbers::anew || !has_element_numbers(document)))
+    leave_out_sections(document, lost);
   if (numbers == Numbers::kept) {
     number(document);
   } else {
@@ -74,18 +84,26 @@ std::vector<Loss> NewElements::replace(Document& document, Numbers numbers) && {
   move_positions(document);
   document.blocks = std::move(blocks_);
   document.connectivity = std::move(connectivity_);
+  free_unknown_numbers(document);
   return lost;
 }
 
 void NewElements::number(Document& document) const {
   if (!has_element_numbers(document)) return;
-  std::int64_t largest = document.first_element + static_cast<std::int64_t>(document.elements()) - 1;
-  for (const std::int64_t tag : document.element_tags) largest = std::max(largest, tag);
+  std::optional<FreeNumbers> free;
+  const auto free_number = [&] {
+    if (!free) {
+      std::vector<std::int64_t> taken(document.elements());
+      for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = document.element_tag(i);
+      free.emplace(std::move(taken));
+    }
+    return free->next();
+  };
   std::vector<std::int64_t> numbers(from_.size());
   for (std::size_t i = 0; i < from_.size(); ++i) {
     const auto from = static_cast<std::size_t>(from_[i]);
     const bool is_first = made_[starts_[from]] == static_cast<Index>(i);
-    numbers[i] = is_first ? document.element_tag(from) : ++largest;
+    numbers[i] = is_first ? document.element_tag(from) : free_number();
   }
   set_numbers(std::move(numbers), document.element_tags, document.first_element);
 }
@@ -114,12 +132,10 @@ void NewElements::move_values(Document& document) const {
     rows.clear();
     each_target(values, [&](Index to, std::size_t row) {
       if (to < 0) return rows.push_back({to, row});
-      const auto block = std::prev(
-          std::upper_bound(blocks_.begin(), blocks_.end(), static_cast<std::size_t>(to),
-                           [](std::size_t element, const ElementBlock& b) { return element < b.first; }));
-      const auto each = static_cast<std::size_t>(block->nodes_each);
+      const ElementBlock& block = block_of(blocks_, static_cast<std::size_t>(to));
+      const auto each = static_cast<std::size_t>(block.nodes_each);
       std::span<const std::int32_t> local(
-          local_.data() + block->nodes + (static_cast<std::size_t>(to) - block->first) * each, each);
+          local_.data() + block.nodes + (static_cast<std::size_t>(to) - block.first) * each, each);
       // Values may be those of corners alone.
       while (!local.empty() && local.back() >= values.nodes[row]) local = local.first(local.size() - 1);
       if (!local.empty() && std::all_of(local.begin(), local.end(),
@@ -165,12 +181,17 @@ std::vector<Loss> without_element_numbers(Document& document) {
   if (document.format != "tetgen") return lost;
   std::erase_if(document.element_values, [&](const Values& values) {
     if (values.name != "neighbours" && values.name != "faces" && values.name != "edges") return false;
-    lost.push_back({.item = "TetGen's numbers of " + values.name,
-                    .count = static_cast<std::int64_t>(values.items()),
-                    .example = "they count elements that are numbered anew"});
+    add_loss(lost, "TetGen's numbers of " + values.name, values.items(),
+             "they count elements that are numbered anew");
     return true;
   });
   return lost;
+}
+
+void leave_out_sections(Document& document, std::vector<Loss>& lost) {
+  for (const Section& section : document.sections)
+    add_loss(lost, "sections", 1, "$" + section.name + " may name numbers that are no longer the same");
+  document.sections.clear();
 }
 
 }  // namespace tetproof::io

@@ -30,7 +30,8 @@ class NewElements {
   enum class Numbers { kept, anew };
   /// Puts the new elements in the place of the old ones. `kept`: the first new element of an old one has its
   /// number, further ones are numbered behind the largest; in formats that number no elements, all count up.
-  /// `anew`: all are numbered from 1. Returns what is lost: values that are numbers of elements.
+  /// `anew`: all are numbered from 1. Returns what is lost: values that are numbers of elements, and sections
+  /// that may name numbers which are no longer the same.
   std::vector<Loss> replace(Document& document, Numbers numbers = Numbers::kept) &&;
 
  private:
@@ -50,5 +51,8 @@ class NewElements {
 
 /// Removes TetGen's values that are numbers of elements ("neighbours", "faces", "edges"), and lists them.
 std::vector<Loss> without_element_numbers(Document& document);
+
+/// Removes the sections, which may name numbers of nodes or elements, and lists them.
+void leave_out_sections(Document& document, std::vector<Loss>& lost);
 
 }  // namespace tetproof::io

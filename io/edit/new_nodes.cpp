@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "io/edit/moved_values.hpp"
+#include "io/edit/new_elements.hpp"
+#include "io/edit/origin.hpp"
+#include "io/loss/loss_list.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -26,6 +29,7 @@ class Mover {
 
   MovedNodes move() {
     if (count_ == target_.size()) return {};
+    list_merged();
     move_numbers();
     move_blocks();
     for (Values& values : document_.node_values) move_values(values);
@@ -42,14 +46,8 @@ class Mover {
   }
 
  private:
-  void lose(const char* item, std::size_t count, std::string example) {
-    if (count > 0)
-      moved_.lost.push_back(
-          {.item = item, .count = static_cast<std::int64_t>(count), .example = std::move(example)});
-  }
-
   void move_numbers() {
-    if (!has_node_numbers(document_)) return;
+    if (!has_node_numbers(document_)) return leave_out_sections(document_, moved_.lost);
     std::vector<std::int64_t> numbers;
     for (std::size_t i = 0; i < target_.size(); ++i)
       if (is_first_[i]) numbers.push_back(document_.node_tag(i));
@@ -74,6 +72,34 @@ class Mover {
     }
     document_.node_blocks = std::move(blocks);
     document_.parameters = std::move(parameters);
+  }
+
+  // Lists the nodes that go to another one without being of its entity, or with other parameters.
+  void list_merged() {
+    struct Place {
+      const NodeBlock* block = nullptr;
+      const double* parameters = nullptr;
+    };
+    const auto each_node = [&](bool first, const auto& see) {
+      for (const NodeBlock& block : document_.node_blocks)
+        for (std::size_t k = 0; k < block.count; ++k)
+          if (const Index to = target_[block.first + k]; to >= 0 && is_first_[block.first + k] == first)
+            see(static_cast<std::size_t>(to), block.first + k,
+                Place{&block, document_.parameters.data() + block.parameters +
+                                  k * static_cast<std::size_t>(block.parameters_each)});
+    };
+    std::vector<Place> places(document_.node_blocks.empty() ? 0 : count_);
+    each_node(true, [&](std::size_t to, std::size_t, const Place& place) { places[to] = place; });
+    each_node(false, [&](std::size_t to, std::size_t node, const Place& one) {
+      const Place& stays = places[to];
+      if (stays.block && stays.block->dim == one.block->dim && stays.block->entity == one.block->entity &&
+          stays.block->parameters_each == one.block->parameters_each &&
+          std::equal(one.parameters, one.parameters + one.block->parameters_each, stays.parameters))
+        return;
+      add_loss(moved_.lost, "entities and parameters of merged points", 1,
+               fmt::format("node {}, of entity {} of dimension {}", document_.named(static_cast<Index>(node)),
+                           one.block->entity, one.block->dim));
+    });
   }
 
   // The first row of each new node is taken; others are compared with it.
@@ -119,13 +145,13 @@ class Mover {
     std::size_t lost = 0;
     for (PeriodicLink& link : document_.periodic)
       lost += std::erase_if(link.nodes, [&](std::array<Index, 2>& pair) { return !moved(pair); });
-    lose("pairs of periodic nodes", lost, "a node of the first is left out");
+    add_loss(moved_.lost, "pairs of periodic nodes", lost, "a node of the first is left out");
     lost = std::erase_if(document_.length_bounds, [&](LengthBound& bound) { return !moved(bound.nodes); });
-    lose("bounds of lengths", lost, "a node of the first is left out");
+    add_loss(moved_.lost, "bounds of lengths", lost, "a node of the first is left out");
     Voronoi& voronoi = document_.voronoi;
-    lose("cells of a Voronoi diagram",
-         voronoi.cells.size() + (voronoi.cells.empty() ? voronoi.points.size() : 0),
-         "they belong to nodes that are no longer the same");
+    add_loss(moved_.lost, "cells of a Voronoi diagram",
+             voronoi.cells.size() + (voronoi.cells.empty() ? voronoi.points.size() : 0),
+             "they belong to nodes that are no longer the same");
     voronoi = {};
   }
 

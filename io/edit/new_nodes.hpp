@@ -13,7 +13,7 @@ namespace tetproof::io {
 /// What `move_nodes` did beyond the points.
 struct MovedNodes {
   std::vector<Loss> lost;
-  std::int64_t differing = 0;  ///< values of merged nodes that were not equal to those of the first
+  std::size_t differing = 0;  ///< values of merged nodes that were not equal to those of the first
 };
 
 /// Moves node i to position `target[i]`; -1: it is left out. Several nodes may go to one position: the first

@@ -17,11 +17,13 @@
 namespace tetproof::io {
 namespace {
 
-constexpr int known_types[] = {point1,       line2, triangle3, quadrangle4, polygon,
-                               tetrahedron4, 5,     6,         7,           polyhedron};
+constexpr int known_types[] = {
+    point1, line2, polyline, triangle3,  quadrangle4,   polygon,           tetrahedron4,
+    5,      6,     7,        polyhedron, bezier(line3), bezier(triangle6), bezier(tetrahedron10)};
 
 // Whether a word of --only means the elements of a type.
 bool means(const std::string& word, int type) {
+  if (type == polyline && (word == "lines" || word == "line")) return true;
   const std::string many = name_of_elements(type);
   return word == many || word == singular(many) || word == std::to_string(type);
 }

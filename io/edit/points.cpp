@@ -9,10 +9,11 @@
 
 #include "io/bytes/words.hpp"
 #include "io/edit/edits.hpp"
-#include "io/edit/moved_values.hpp"
 #include "io/edit/new_elements.hpp"
 #include "io/edit/new_nodes.hpp"
+#include "io/edit/unknown_numbers.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/model/weld.hpp"
 
 namespace tetproof::io {
@@ -20,7 +21,8 @@ namespace {
 
 // Finds the points that stayed by the cells of a lattice. A cell is twice as wide as the tolerance, so that
 // points within it are in neighbouring cells, however their quotients are rounded; and as points that stayed
-// are wider apart than the tolerance, a cell has few of them.
+// are wider apart than the tolerance, a cell has few of them. Where the quotient is beyond all numbers, only
+// equal coordinates are within the tolerance: each is a cell.
 class NearPoints {
  public:
   NearPoints(const std::vector<Eigen::Vector3d>& points, double tolerance)
@@ -46,7 +48,8 @@ class NearPoints {
 
  private:
   Eigen::Array3d cell_of(const Eigen::Vector3d& point) const {
-    return (point.array() / tolerance_ / 2).floor() + 0.0;
+    const Eigen::Array3d cell = (point.array() / tolerance_ / 2).floor();
+    return cell.isFinite().select(cell, point.array()) + 0.0;
   }
   static std::uint64_t key(const Eigen::Array3d& cell) {  // cells of one key are told apart by the distance
     std::uint64_t key = 0;
@@ -116,9 +119,8 @@ Edit merge_points(Document& document, std::optional<double> tolerance) {
                        now - collapsed_before == 1 ? std::string("1 element has")
                                                    : fmt::format("{} elements have", now - collapsed_before));
   if (moved.differing > 0)
-    moved.lost.push_back({.item = "values of merged points",
-                          .count = moved.differing,
-                          .example = "they differ from those of the point that stays"});
+    add_loss(moved.lost, "values of merged points", moved.differing,
+             "they differ from those of the point that stays");
   return {did, std::move(moved.lost)};
 }
 
@@ -142,18 +144,12 @@ Edit renumber(Document& document) {
     elements += document.element_tag(i) != static_cast<std::int64_t>(i) + 1;
   Edit edit;
   if (elements > 0) edit.lost = without_element_numbers(document);
-  if (nodes > 0 || elements > 0)
-    for (const Section& section : document.sections)
-      edit.lost.push_back(
-          {.item = "sections",
-           .count = 1,
-           .example = fmt::format("${} may name numbers that are no longer the same", section.name)});
-  if (!edit.lost.empty()) document.sections.clear();
+  if (nodes > 0 || elements > 0) leave_out_sections(document, edit.lost);
   document.node_tags.clear();
   document.element_tags.clear();
   document.first_node = document.first_element = 1;
-  edit.did = fmt::format("{} and {} numbered anew, from 1 on", counted(nodes, "nodes"),
-                         counted(elements, "elements"));
+  edit.did = fmt::format("{} and {} numbered anew, from 1 on{}", counted(nodes, "nodes"),
+                         counted(elements, "elements"), freed_unknown_numbers(document));
   return edit;
 }
 

@@ -25,6 +25,18 @@ std::string file_word(const std::string& name) {
   return word.substr(0, 100);
 }
 
+// The name of a group, or, if another part has it too, one that no part has. Capitals make no difference,
+// since they make none to some file systems.
+std::string different_word(const std::string& name, int dim, std::int64_t number,
+                           std::map<std::string, int>& uses) {
+  if (uses[lower_case(name)] == 1) return name;
+  constexpr const char* dimensions[] = {"points", "lines", "faces", "solids"};
+  std::string word = fmt::format("{}_{}_{}", name, dimensions[dim], number);
+  while (uses[lower_case(word)] > 0) word += '_';
+  uses[lower_case(word)] = 1;
+  return word;
+}
+
 // Leaves out names of groups and entities that are those of other parts.
 void leave_out_others(Document& part) {
   std::set<std::pair<int, std::int64_t>> groups, entities;
@@ -68,20 +80,19 @@ std::vector<GroupPart> split_by_group(const Document& document) {
     for (const std::int64_t group : tags) groups[{-block.dim, std::abs(group)}];
   }
   if (groups.empty()) throw InputError(fmt::format("{}: no element is in a group", document.path));
-  std::map<std::string, int> uses{{"ungrouped", ungrouped ? 1 : 0}};
+  std::map<std::string, int> uses;
+  if (ungrouped) uses["ungrouped"] = 1;
   for (auto& [group, word] : groups) {
     for (const GroupName& name : document.group_names)
       if (name.dim == -group.first && name.group == group.second) word = file_word(name.name);
     if (word.empty()) word = std::to_string(group.second);
     ++uses[lower_case(word)];
   }
-  constexpr const char* dimensions[] = {"points", "lines", "faces", "solids"};
   std::vector<GroupPart> parts;
   for (const auto& [key, name] : groups) {
     const int dim = -key.first;
     const std::int64_t number = key.second;
-    const std::string word =
-        uses[lower_case(name)] == 1 ? name : fmt::format("{}_{}_{}", name, dimensions[dim], number);
+    const std::string word = different_word(name, dim, number, uses);
     parts.push_back(part_of(document, word, [&](const ElementBlock& block) {
       const auto& tags = document.tag_sets[static_cast<std::size_t>(block.groups)];
       return block.dim == dim &&

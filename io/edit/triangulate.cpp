@@ -9,6 +9,8 @@
 #include "io/edit/edits.hpp"
 #include "io/edit/new_elements.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
+#include "io/model/block_of.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/weld.hpp"
 #include "io/surface/cutting.hpp"
@@ -16,6 +18,11 @@
 
 namespace tetproof::io {
 namespace {
+
+// The number of corners of each element of a block; 0 if these are no faces.
+int corners_of_faces(const ElementBlock& block) {
+  return dimension_of_type(block.type) == 2 ? corners_kept(block) : 0;
+}
 
 class Triangulator {
  public:
@@ -29,22 +36,21 @@ class Triangulator {
 
   Edit triangulate() {
     const Facet* last = nullptr;
+    bool is_cut = false;
     for (const ElementBlock& block : document_.blocks) {
       const Index* nodes = document_.connectivity.data() + block.nodes;
+      const int corners = corners_of_faces(block);
       for (std::size_t e = 0; e < block.count; ++e, nodes += block.nodes_each) {
         const std::size_t element = block.first + e;
         const Facet* facet = document_.facets.empty() ? nullptr : facets_.of(element);
-        if (facet && corners_kept(block) >= 3) {
-          if (facet != last) cut_facet(block, *facet, element);
-          last = facet;
-          ++cut_count_;
-        } else if (!facet && corners_kept(block) > 3) {
+        if (facet != last) is_cut = facet && cut_facet(*facet);
+        last = facet;
+        if (is_cut) continue;  // with its facet
+        if (!facet && corners > 3) {
           cut(block, element, nodes);
           ++cut_count_;
-        } else if (!facet) {
-          keep(block, element, nodes);
         } else {
-          ++edges_;  // of a facet, and in its triangles now
+          keep(block, element, nodes);
         }
       }
     }
@@ -55,10 +61,10 @@ class Triangulator {
     if (edges_ > 0)
       edit.did += fmt::format("; {} in their facets left out", counted(edges_, "edges and points"));
     if (const std::string bends = bends_.text(); !bends.empty()) edit.did += "; " + bends;
-    if (by_corners_ > 0)
-      edit.lost.push_back({.item = "nodes between the corners of quadrangles",
-                           .count = static_cast<std::int64_t>(by_corners_),
-                           .example = "the quadrangles are cut by their corners"});
+    add_loss(edit.lost, "nodes between the corners of quadrangles", by_corners_,
+             "the quadrangles are cut by their corners");
+    add_loss(edit.lost, "polygons, edges and points of facets without area", without_area_,
+             first_without_area_, true);
     return edit;
   }
 
@@ -74,7 +80,7 @@ class Triangulator {
   }
 
   void cut(const ElementBlock& block, std::size_t element, const Index* nodes) {
-    const int corners = corners_kept(block);
+    const int corners = corners_of_faces(block);
     places_at_.clear();
     for (int k = 0; k < corners; ++k) {
       if (nodes[k] < 0)
@@ -83,8 +89,7 @@ class Triangulator {
       if (places_at_.empty() || places_at_.back() != place) places_at_.push_back(place);
     }
     while (places_at_.size() > 1 && places_at_.back() == places_at_.front()) places_at_.pop_back();
-    ElementBlock like = block;
-    like.type = triangle3;
+    const ElementBlock like = triangles_like(block);
     by_corners_ += static_cast<std::size_t>(block.nodes_each - corners);
     if (places_at_.size() < 3) {  // collapsed
       local_ = {0, 1, 2};
@@ -108,19 +113,39 @@ class Triangulator {
     }
   }
 
-  void cut_facet(const ElementBlock& block, const Facet& facet, std::size_t element) {
+  static ElementBlock triangles_like(const ElementBlock& block) {
+    ElementBlock like = block;
+    like.type = triangle3;
+    like.dim = 2;
+    return like;
+  }
+
+  // False: the facet has only edges and points, which stay.
+  bool cut_facet(const Facet& facet) {
+    std::size_t element = 0, polygons = 0;  // the first polygon: triangles are like it
+    for (std::size_t e = facet.first + facet.polygons; e-- > facet.first;)
+      if (corners_of_faces(block_of(document_.blocks, e)) >= 3) ++polygons, element = e;
+    if (polygons == 0) return false;
     facets_.cut(facet, welded_, places_, cut_);
     if (!cut_.fault.empty())
       fail(element, fmt::format("of a facet of {} and {} {}", counted(facet.polygons, "polygons"),
                                 counted(facet.holes.size(), "holes"), cut_.fault));
     bends_.add(cut_, 0);
-    ElementBlock like = block;
-    like.type = triangle3;
+    if (cut_.triangles.empty()) {
+      if (without_area_ == 0)
+        first_without_area_ = fmt::format("element {}", document_.element_tag(facet.first));
+      without_area_ += facet.polygons;
+      return true;
+    }
+    cut_count_ += polygons;
+    edges_ += facet.polygons - polygons;  // they are in its triangles now
+    const ElementBlock like = triangles_like(block_of(document_.blocks, element));
     for (auto triangle : cut_.triangles) {
       for (Index& place : triangle) place = node_of_[static_cast<std::size_t>(place)];
       elements_.add_free(like, element, triangle);
       ++made_;
     }
+    return true;
   }
 
   Document& document_;
@@ -132,7 +157,8 @@ class Triangulator {
   std::vector<std::int32_t> local_;
   Cut cut_;
   Bends bends_;
-  std::size_t cut_count_ = 0, made_ = 0, edges_ = 0, by_corners_ = 0;
+  std::size_t cut_count_ = 0, made_ = 0, edges_ = 0, by_corners_ = 0, without_area_ = 0;
+  std::string first_without_area_;
 };
 
 }  // namespace

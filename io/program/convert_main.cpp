@@ -106,6 +106,13 @@ Document joined_input(const Choices& choices, const program::Common& common, Jso
   return document;
 }
 
+std::vector<Loss> losses_of(const std::vector<program::DoneEdit>& done) {
+  std::vector<Loss> lost;
+  for (const program::DoneEdit& edit : done)
+    lost.insert(lost.end(), edit.edit.lost.begin(), edit.edit.lost.end());
+  return lost;
+}
+
 // A file that is going to be written, and what of the document it will not hold.
 struct Output {
   std::string path;
@@ -122,8 +129,29 @@ Json output_json(Output& output, bool written) {
   return json;
 }
 
+// What was read and edited, in words and as JSON.
+int print_information(const Choices& choices, const program::Common& common, const Document& document,
+                      const std::vector<program::DoneEdit>& done, bool is_room, Json& result) {
+  const std::vector<Loss> lost = losses_of(done);
+  if (!done.empty()) result["edits"] = program::edits_json(done), result["edited"] = describe_json(document);
+  if (is_room) fmt::print("{}", describe_text(document));
+  if (!choices.losses_file.empty())
+    program::write_json(choices.losses_file, Json{{"dropped", result["dropped"]},
+                                                  {"losses", program::losses_json(lost)},
+                                                  {"kept_aside", Json::array()},
+                                                  {"dangling", Json::array()}});
+  if (!common.json.empty()) program::write_json(common.json, result);
+  const Refusal refusal(choices, document.dropped, lost, {}, {});
+  if (refusal.items() == 0) return program::sound;
+  program::say(common, fmt::format("{}: {} {} ({})", fmt::join(choices.in, ", "),
+                                   refusal.items() == 1 ? "something" : "several things", refusal.why(""),
+                                   choices.strict_native ? "--strict-native" : "--strict"));
+  return program::wrong;
+}
+
 int convert(Choices& choices, const program::Common& common) {
   sort_files(choices);
+  program::check_edits(choices.edits);
   WriteOptions write = choices.write;
   if (choices.ascii || choices.binary) write.binary = choices.binary;
   program::FilesInUse files(common);
@@ -139,18 +167,14 @@ int convert(Choices& choices, const program::Common& common) {
   result["dropped"] = program::losses_json(document.dropped);
   for (program::DoneEdit& edit : program::apply_edits(common, choices.edits, document))
     done.push_back(std::move(edit));
-  if (choices.info) {
-    if (!done.empty())
-      result["edits"] = program::edits_json(done), result["edited"] = describe_json(document);
-    if (!files.standard_output_is_taken()) fmt::print("{}", describe_text(document));
-    if (!common.json.empty()) program::write_json(common.json, result);
-    return program::sound;
-  }
+  if (choices.info)
+    return print_information(choices, common, document, done, !files.standard_output_is_taken(), result);
 
   std::vector<io::GroupPart> parts;
   std::vector<Output> outputs;
-  const auto add_output = [&](const std::string& path, const Document& part) {
-    outputs.push_back({path, std::make_unique<program::MeshOutput>(common, files, "OUT", path, part, write)});
+  const auto add_output = [&](const std::string& argument, const std::string& path, const Document& part) {
+    outputs.push_back(
+        {path, std::make_unique<program::MeshOutput>(common, files, argument, path, part, write)});
   };
   if (choices.edits.split_by_group) {
     parts = io::split_by_group(document);
@@ -163,16 +187,14 @@ int convert(Choices& choices, const program::Common& common) {
       program::say(common,
                    fmt::format("{}: {} and {}", path, io::counted(part.document.points.size(), "nodes"),
                                io::counted(part.document.elements(), "elements")));
-      add_output(path, part.document);
+      add_output("OUT of " + part.word, path, part.document);
     }
   } else {
-    add_output(choices.out, document);
+    add_output("OUT", choices.out, document);
   }
 
-  std::vector<Loss> lost, kept, dangling;
+  std::vector<Loss> lost = losses_of(done), kept, dangling;
   std::string kept_in;
-  for (const program::DoneEdit& edit : done)
-    lost.insert(lost.end(), edit.edit.lost.begin(), edit.edit.lost.end());
   for (Output& output : outputs) {
     const std::vector<Loss>& losses = output.file->losses();
     lost.insert(lost.end(), losses.begin(), losses.end());

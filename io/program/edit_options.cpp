@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/bytes/scanner.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr const char* group = "Edits (they work in this order)";
 constexpr const char* exact = "exact";
+constexpr const char* nothing = " ";  // for --merge-points=, which CLI11 takes for --merge-points
 
 Eigen::Vector3d vector_of(const std::string& text) {
   Eigen::Vector3d vector;
@@ -26,6 +28,8 @@ Eigen::Vector3d vector_of(const std::string& text) {
       throw InputError(fmt::format("--translate: expected three numbers X,Y,Z, found '{}'", text));
     from = end + 1;
   }
+  if (!vector.allFinite())
+    throw InputError(fmt::format("--translate: expected three finite numbers X,Y,Z, found '{}'", text));
   return vector;
 }
 
@@ -33,15 +37,27 @@ std::optional<double> tolerance_of(const std::string& text) {
   if (text == exact) return {};
   double tolerance;
   if (!parse_real(text, tolerance))
-    throw InputError(fmt::format("--merge-points: expected a number, found '{}'", text));
+    throw InputError(
+        fmt::format("--merge-points: expected a number, found '{}'", text == nothing ? "" : text));
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
+    throw InputError(fmt::format("--merge-points: expected a distance of at least 0, found {}", text));
   return tolerance;
+}
+
+// CLI11 takes an empty word for an option that is not given.
+std::string not_empty(const std::string& word) {
+  return word.empty() ? "expected a value, found ''" : "";
 }
 
 }  // namespace
 
 void declare_edits(CLI::App& app, EditOptions& options) {
-  app.add_option("--scale", options.scale, "multiply all coordinates by F")->type_name("F")->group(group);
+  app.add_option("--scale", options.scale, "multiply all coordinates by F")
+      ->check(not_empty)
+      ->type_name("F")
+      ->group(group);
   app.add_option("--translate", options.translate, "then move all points by X,Y,Z")
+      ->check(not_empty)
       ->type_name("X,Y,Z")
       ->group(group);
   app.add_flag(std::string("--merge-points{") + exact + "}", options.merge_points,
@@ -49,8 +65,9 @@ void declare_edits(CLI::App& app, EditOptions& options) {
       ->group(group);
   app.add_option(
          "--only", options.only,
-         "keep elements of these types alone: points, lines, triangles, quadrangles, polygons, tetrahedra, "
-         "hexahedra, prisms, pyramids, polyhedra, or Gmsh's numbers of types")
+         "keep elements of these types alone: points, lines, polylines, triangles, quadrangles, polygons, "
+         "tetrahedra, hexahedra, prisms, pyramids, polyhedra, or Gmsh's numbers of types")
+      ->check(not_empty)
       ->type_name("TYPE,...")
       ->group(group);
   app.add_flag("--boundary", options.boundary,
@@ -73,8 +90,16 @@ std::vector<std::string> with_joined_tolerance(int argc, char** argv) {
       words.back() += std::string("=") + argv[i];
     else
       words.emplace_back(argv[i]);
+    if (words.back() == "--merge-points=") words.back() += nothing;
   }
   return words;
+}
+
+void check_edits(const EditOptions& options) {
+  if (options.scale && !(*options.scale > 0 && std::isfinite(*options.scale)))
+    throw InputError(fmt::format("--scale: expected a factor above 0, found {}", *options.scale));
+  if (!options.translate.empty()) vector_of(options.translate);
+  if (!options.merge_points.empty()) tolerance_of(options.merge_points);
 }
 
 std::vector<DoneEdit> apply_edits(const Common& common, const EditOptions& options, Document& document) {

@@ -13,9 +13,8 @@
 
 namespace tetproof::program {
 
-/// In the order in which they work, wherever they stand on the command line. Several inputs are joined first,
-/// and
-/// --split-by-group comes last.
+/// In the order in which they work, wherever they stand on the command line. Several inputs are joined first;
+/// the split by groups comes last.
 struct EditOptions {
   std::optional<double> scale;
   std::string translate;
@@ -37,6 +36,9 @@ struct DoneEdit {
   std::string option;  ///< with its value
   io::Edit edit;
 };
+
+/// InputError for values that no edit can take. To be called before anything is read.
+void check_edits(const EditOptions& options);
 
 /// Edits the document and says what was done: one line for each option.
 std::vector<DoneEdit> apply_edits(const Common& common, const EditOptions& options, Document& document);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of tetproof-convert that edit: what they say, their order, and what --strict and --json make of
 // them.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -147,6 +149,36 @@ TEST_F(ConvertEdits, InfoShowsWhatEditsMake) {
   EXPECT_NE(run.out.find("         6 of them triangle of 3 nodes"), std::string::npos) << run;
 }
 
+// What --info finds is judged and listed as that of a conversion.
+TEST_F(ConvertEdits, InfoListsLosses) {
+  folder.write("p.msh", std::string(mixed) + "$Mine\n10\n$EndMine\n");
+  const Outcome run = convert({"--info", "p.msh", "--renumber", "--strict", "--losses", "l.json"});
+  EXPECT_EQ(run.exit_code, 1) << run;
+  EXPECT_NE(run.out.find("2 of them tetrahedron of 4 nodes"), std::string::npos) << run;
+  EXPECT_NE(run.err.find("p.msh: something would be lost (--strict)\n"), std::string::npos) << run;
+  const auto json = nlohmann::json::parse(folder.read("l.json"));
+  EXPECT_EQ(json["losses"][0]["item"], "sections");
+  EXPECT_EQ(json["dropped"].size(), 0u);
+  EXPECT_EQ(convert({"--info", "p.msh", "--strict", "--losses", "m.json"}).exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(folder.read("m.json"))["losses"].size(), 0u);
+}
+
+// Each group has a file of its own, though three names are nearly the same.
+TEST_F(ConvertEdits, SplitsIntoDifferentFiles) {
+  folder.write("c.msh",
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n3 1 \"a\"\n3 2 \"A\"\n3 3 "
+               "\"a_solids_1\"\n$EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+               "$Elements\n3\n1 4 2 1 1 1 2 3 4\n2 4 2 2 2 1 2 3 4\n3 4 2 3 3 1 2 3 4\n$EndElements\n");
+  EXPECT_EQ(convert({"c.msh", "d.msh", "--to", "msh22", "--split-by-group"}).exit_code, 0);
+  EXPECT_EQ(section("d_a_solids_1_.msh", "Elements"), "1\n1 4 2 1 1 1 2 3 4\n");
+  EXPECT_EQ(section("d_A_solids_2.msh", "Elements"), "1\n2 4 2 2 2 1 2 3 4\n");
+  EXPECT_EQ(section("d_a_solids_1.msh", "Elements"), "1\n3 4 2 3 3 1 2 3 4\n");
+  std::filesystem::create_symlink("e_A_solids_2.msh", folder / "e_a_solids_1.msh");
+  const Outcome run = convert({"c.msh", "e.msh", "--split-by-group"});
+  EXPECT_EQ(run.exit_code, 2) << run;
+  EXPECT_NE(run.err.find("each output needs a file of its own"), std::string::npos) << run;
+}
+
 TEST_F(ConvertEdits, Usage) {
   const auto said = [&](const std::vector<std::string>& words) {
     const Outcome run = convert(words);
@@ -157,7 +189,17 @@ TEST_F(ConvertEdits, Usage) {
   EXPECT_EQ(said({"a.msh", "c.msh", "--translate", "1,2"}),
             "tetproof-convert: --translate: expected three numbers X,Y,Z, found '1,2'\n");
   EXPECT_EQ(said({"a.msh", "c.msh", "--scale", "0"}),
-            "tetproof-convert: expected a factor above 0, found 0\n");
+            "tetproof-convert: --scale: expected a factor above 0, found 0\n");
+  EXPECT_EQ(said({"a.msh", "c.msh", "--merge-points=-1"}),
+            "tetproof-convert: --merge-points: expected a distance of at least 0, found -1\n");
+  EXPECT_EQ(said({"a.msh", "c.msh", "--merge-points="}),
+            "tetproof-convert: --merge-points: expected a number, found ''\n");
+  EXPECT_EQ(said({"a.msh", "c.msh", "--translate", "1,inf,0"}),
+            "tetproof-convert: --translate: expected three finite numbers X,Y,Z, found '1,inf,0'\n");
+  for (const char* option : {"--only", "--translate", "--scale"})
+    EXPECT_EQ(said({"a.msh", "c.msh", option, ""}),
+              fmt::format("tetproof-convert: {}: expected a value, found '' (see tetproof-convert --help)\n",
+                          option));
   EXPECT_EQ(said({"a.msh", "c.msh", "--merge-points=x"}),
             "tetproof-convert: --merge-points: expected a number, found 'x'\n");
   EXPECT_EQ(said({"a.msh", "c.msh", "--only", "prisms"}),

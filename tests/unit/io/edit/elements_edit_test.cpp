@@ -4,6 +4,7 @@
 
 #include "edited.hpp"
 #include "io/edit/solid_faces.hpp"
+#include "io/edit/solid_sign.hpp"
 
 namespace tetproof::test {
 namespace {
@@ -30,13 +31,27 @@ TEST(KeepOnly, SeveralTypesByNameAndNumber) {
   }
 }
 
+TEST(KeepOnly, LinesAndPolylines) {
+  const auto left = [](const char* types) {
+    Document document =
+        document_of_text("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nl 1 2 3 4\nl 1 2\nf 1 2 3\n");
+    io::keep_only(document, types);
+    return left_of(document);
+  };
+  EXPECT_EQ(left("lines"), "e1000: 1 2 3 4\ne1: 1 2\n");
+  EXPECT_EQ(left("polylines"), "e1000: 1 2 3 4\n");
+  EXPECT_EQ(left("1"), "e1: 1 2\n");  // Gmsh's number of lines with two nodes
+}
+
 TEST(KeepOnly, Refuses) {
   const TestFiles files;
   Document document = two_tets();
   EXPECT_EQ(
       files.message([&] { io::keep_only(document, "tets"); }),
-      "'tets' is no type of elements; expected points, lines, triangles, quadrangles, polygons, tetrahedra, "
-      "hexahedra, prisms, pyramids, polyhedra, or Gmsh's number of a type");
+      "'tets' is no type of elements; expected points, lines, polylines, triangles, quadrangles, polygons, "
+      "tetrahedra, "
+      "hexahedra, prisms, pyramids, polyhedra, Bezier curves, Bezier triangles, Bezier tetrahedra, or Gmsh's "
+      "number of a type");
   EXPECT_EQ(files.message([&] { io::keep_only(document, "prisms"); }),
             "a.msh: none of the 4 elements is of type prisms");
   EXPECT_EQ(files.message([&] { io::keep_only(document, "lines,"); }).substr(0, 25),
@@ -64,6 +79,18 @@ TEST(SplitByGroup, WordsForFiles) {
   std::string words;
   for (const io::GroupPart& part : parts) words += part.word + " ";
   EXPECT_EQ(words, "___a_b Ungrouped_faces_8 a ungrouped ");
+}
+
+// Where capitals make no difference, "a" and "A" are one name, and what stands for one of them may be taken.
+TEST(SplitByGroup, WordsThatAreTaken) {
+  const std::string nodes = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+  const std::vector<io::GroupPart> parts = io::split_by_group(document_of_text(
+      "a.msh", msh22(nodes, "1 4 2 1 1 1 2 3 4\n2 4 2 2 2 1 2 3 4\n3 4 2 3 3 1 2 3 4\n4 4 2 4 4 1 2 3 4\n",
+                     "$PhysicalNames\n4\n3 1 \"a\"\n3 2 \"A\"\n3 3 \"A_Solids_1\"\n3 4 "
+                     "\"a_solids_1_\"\n$EndPhysicalNames\n")));
+  std::string words;
+  for (const io::GroupPart& part : parts) words += part.word + " ";
+  EXPECT_EQ(words, "a_solids_1__ A_solids_2 A_Solids_1 a_solids_1_ ");
 }
 
 TEST(SplitByGroup, NeedsGroups) {
@@ -105,6 +132,70 @@ TEST(Boundary, GroupsOfSolidsGetFreeNumbers) {
   EXPECT_EQ(left_of(document), "e2 g10: 2 3 4\ne2 g10: 1 4 3\ne2 g10: 1 2 4\ne2 g9: 1 3 2\n");
   EXPECT_EQ(document.blocks[0].entity, 7);
   EXPECT_EQ(document.blocks[1].entity, 6);
+}
+
+// A face that is two elements stands in the surface once.
+TEST(Boundary, SeveralElementsOnAFace) {
+  Document document = document_of_text(
+      "a.msh",
+      msh22("1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", "1 2 2 1 1 1 2 3\n2 2 2 2 2 2 3 1\n3 4 2 5 1 1 2 3 4\n"));
+  EXPECT_EQ(said(io::boundary(document)),
+            "4 boundary faces of 1 solid in place of 3 elements; 1 of them was an element before | further "
+            "elements on a face 1 (element 2 on that of element 1, which has the groups of both)");
+  EXPECT_EQ(left_of(document), "e2 g5: 2 3 4\ne2 g5: 1 4 3\ne2 g5: 1 2 4\ne2 g1 g2: 1 3 2\n");
+}
+
+// A Bezier tetrahedron and one with straight sides: the Bezier's sides are no triangles.
+TEST(Boundary, ListsSolidsWithoutFaces) {
+  Document document;
+  for (int i = 0; i < 11; ++i) document.points.emplace_back(i % 2, i % 3, i % 5);
+  document.blocks = {{.type = io::bezier(io::tetrahedron10), .nodes_each = 10, .count = 1},
+                     {.count = 1, .first = 1, .nodes = 10}};
+  document.connectivity = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 2, 1, 10};
+  EXPECT_NE(said(io::boundary(document)).find(" | solids without faces 1 (their boundary is left out)"),
+            std::string::npos);
+}
+
+// The middle nodes on the sides of the bottom are in the three faces around it, and not in the bottom.
+TEST(Boundary, ListsElementsOfLowerOrder) {
+  Document document =
+      document_of_text("a.msh", msh22("1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .5 0 0\n6 .5 .5 0\n7 0 .5 0\n8 "
+                                      "0 0 .5\n9 0 .5 .5\n10 .5 0 .5\n",
+                                      "1 2 2 0 1 1 2 3\n2 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n"));
+  EXPECT_EQ(said(io::boundary(document)),
+            "4 boundary faces of 1 solid in place of 2 elements; 1 of them was an element before | faces by "
+            "their corners 1 (their other nodes are left out)");
+  EXPECT_EQ(left_of(document), "e9: 2 3 4 6 9 10\ne9: 1 4 3 8 9 7\ne9: 1 2 4 5 10 8\ne2: 1 3 2\n");
+}
+
+// At any scale, far from the origin too: one of volume 1/6 size^3 that is inside out is turned, its mirror
+// image not.
+TEST(Boundary, SignsOfTinyAndLargeVolumes) {
+  using io::is_inverted;
+  const int tetrahedron = io::tetrahedron4, pyramid = 7;
+  for (const double size : {1e-310, 1e-120, 1e-60, 1.0, 1e60, 1e120, 1e307}) {
+    Document document;
+    document.points = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}, {size, size, 0}};
+    const Index right[] = {0, 1, 2, 3}, wrong[] = {0, 2, 1, 3};
+    EXPECT_FALSE(is_inverted(document, {.type = tetrahedron}, right)) << size;
+    EXPECT_TRUE(is_inverted(document, {.type = tetrahedron}, wrong)) << size;
+    const Index upright[] = {0, 1, 4, 2, 3}, upside_down[] = {0, 2, 4, 1, 3};
+    EXPECT_FALSE(is_inverted(document, {.type = pyramid}, upright)) << size;
+    EXPECT_TRUE(is_inverted(document, {.type = pyramid}, upside_down)) << size;
+  }
+  Document document;  // one unit in the last place is out of the plane x + y + z = 1; half of it is exact
+  document.points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 0.25, std::nextafter(0.5, 0.0)}};
+  const Index outwards[] = {0, 1, 2, 3};
+  EXPECT_TRUE(is_inverted(document, {.type = tetrahedron}, outwards));
+  document.points[3][2] = 0.5;
+  EXPECT_FALSE(is_inverted(document, {.type = tetrahedron}, outwards));
+}
+
+// The elements are numbered anew: what names their numbers would name others.
+TEST(Boundary, ListsSections) {
+  Document document = two_tets();
+  document.sections = {{.name = "Mine", .body = "9\n", .format = "msh22"}};
+  EXPECT_NE(said(io::boundary(document)).find(" | sections 1 ($Mine may name numbers"), std::string::npos);
 }
 
 // A pyramid on one side of a quadrangle, two tetrahedra on the other.

@@ -52,6 +52,32 @@ TEST(Triangulate, FacetsOfSeveralPolygons) {
   EXPECT_NE(text.find("e2 g7: 3 8 7\ne2 g8: 1 2 9\n"), text.npos) << text;
 }
 
+// Lines through four points are no polygons, planar or not.
+TEST(Triangulate, LeavesPolylinesAlone) {
+  Document document = document_of_text(
+      "a.vtk",
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
+      "0 0 0 1 0 0 1 1 7 0 1 0 5 5 5\nLINES 2 9\n4 0 1 2 3\n3 0 2 4\nPOLYGONS 1 5\n4 0 1 3 4\n");
+  document.title.clear();
+  document.points[4] = {-1, 0, 0};  // 0 1 3 4 is a square that was turned, in the plane z = 0
+  EXPECT_EQ(said(io::triangulate(document)), "1 polygon cut into 2 triangles");
+  EXPECT_EQ(left_of(document), "e1000: 0 1 2 3\ne1000: 0 2 4\ne2: 0 1 3\ne2: 0 3 4\n");
+}
+
+// Three corners on a line and an edge on it: there is nothing to cut, and the facet's marker goes with it.
+// A facet of two edges has no polygon: they stay.
+TEST(Triangulate, ListsFacetsWithoutArea) {
+  Document document = document_of_text(
+      "a.poly",
+      "6 3 0 0\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 0 1\n5 1 0 1\n6 0 1 0\n3 1\n2 0 5\n3 1 2 3\n2 1 2\n"
+      "2 0 6\n2 1 4\n2 4 5\n1 0 7\n3 1 2 6\n0\n0\n");
+  EXPECT_EQ(
+      said(io::triangulate(document)),
+      "0 polygons cut into 0 triangles | polygons, edges and points of facets without area 2 (element 1)");
+  EXPECT_TRUE(document.facets.empty());
+  EXPECT_EQ(left_of(document), "e1 g6: 1 4\ne1 g6: 4 5\ne2 g7: 1 2 6\n");
+}
+
 TEST(Triangulate, RefusesByNumber) {
   const TestFiles files;
   Document document = document_of_text("a.off", "OFF 4 1 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n4 0 1 2 3\n");
