@@ -287,6 +287,10 @@ TriangleSurface surface_of(const Document&);
 /// facets were turned or left out.
 TriangleSurface surface_of(const Document&, std::vector<std::string>& warnings);
 
+/// Whether the facets of a .poly or .smesh mean the same body if they are taken for the faces of any other
+/// surface: they are the surface of its solids, all of it, wound outwards, and there are no cells.
+bool facets_are_surface(const Document&);
+
 /// Tetrahedra in volume 1, numbered from 1. An index i that names no point (outside [0, points)) becomes the
 /// unknown number i + 1.
 Document document_of(const TetMesh&);

@@ -63,11 +63,13 @@ class MeshLosses : LossFinder {
   // Elements of a block that has no place: each is cut into triangles or left out.
   void not_written(const ElementBlock& block, const std::string& what) {
     std::vector<bool> cut(block.count);
-    for (const Cut& one : written_.cut())
-      if (one.block == &block) {
-        cut[one.element] = true;
-        add(what + " cut into triangles", 1, element(block, one.element));
-      }
+    const std::vector<Cut>& all = written_.cut();
+    auto one = std::lower_bound(all.begin(), all.end(), &block,
+                                [](const Cut& c, const ElementBlock* b) { return c.block < b; });
+    for (; one != all.end() && one->block == &block; ++one) {
+      cut[one->element] = true;
+      if (!one->as_it_was) add(what + " cut into triangles", 1, element(block, one->element));
+    }
     const auto first = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), false) - cut.begin());
     add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first),
         true);
@@ -157,30 +159,42 @@ class MeshLosses : LossFinder {
             fmt::format("{} becomes {}", document_.unknown[k], number));
   }
 
-  void element_numbers() {
-    if (holds_.element_tags || written_.blocks().empty()) return;
-    std::int64_t first = 0, first_in_file = 0, position = 0, before = 0;
-    bool plain = true, begun = false;  // plain: they count up from 0 or 1, and so do the file's
-    bool same = true;                  // they are equal to the file's, which start from 1
-    std::size_t count = 0;
+  // The elements that come back as they were or by their corners, as `each(place, number in the file)`.
+  template <class Each>
+  void each_numbered(const Each& each) const {
+    std::int64_t position = 0;
     auto cut = written_.cut().begin();
-    for (const Written& written : written_.blocks()) {
-      count += written.count;
-      for (; cut != written_.cut().end() && cut->block < written.block; ++cut)
+    const auto cut_before = [&](const ElementBlock* block) {
+      for (; cut != written_.cut().end() && (!block || cut->block < block); ++cut) {
+        if (cut->as_it_was) each(cut->block->first + cut->element, position + 1);
         position += static_cast<std::int64_t>(cut->count);
-      for (std::size_t e = 0; e < written.block->count && (plain || same || !begun); ++e) {
+      }
+    };
+    for (const Written& written : written_.blocks()) {
+      cut_before(written.block);
+      for (std::size_t e = 0; e < written.block->count; ++e) {
         if (!written_.comes_back(written, e)) continue;
         const std::size_t place = written.block->first + e;
-        const std::int64_t tag = document_.element_tag(place),
-                           in_file = holds_.numbers_all_elements ? static_cast<std::int64_t>(place) + 1
-                                                                 : ++position;
-        if (!begun) first = tag, first_in_file = in_file, begun = true;
-        plain = plain && is_plain(first) && tag == first + before && is_plain(first_in_file) &&
-                in_file == first_in_file + before;
-        same = same && tag == in_file;
-        ++before;
+        ++position;
+        each(place, holds_.numbers_all_elements ? static_cast<std::int64_t>(place) + 1 : position);
       }
     }
+    cut_before(nullptr);
+  }
+
+  void element_numbers() {
+    if (holds_.element_tags) return;
+    std::int64_t first = 0, first_in_file = 0;
+    bool plain = true;  // they count up from 0 or 1, and so do the file's
+    bool same = true;   // they are equal to the file's, which start from 1
+    std::size_t count = 0;
+    each_numbered([&](std::size_t place, std::int64_t in_file) {
+      const std::int64_t tag = document_.element_tag(place), before = static_cast<std::int64_t>(count);
+      if (count++ == 0) first = tag, first_in_file = in_file;
+      plain = plain && is_plain(first) && tag == first + before && is_plain(first_in_file) &&
+              in_file == first_in_file + before;
+      same = same && tag == in_file;
+    });
     if (!plain && !same) add("numbers of elements", count, fmt::format("the first is {}", first));
   }
 

@@ -70,12 +70,23 @@ class ValueLosses : LossFinder {
           fmt::format("{} of time {}, step {}", name, values.time, values.step));
   }
 
+  // What tells the facets of a body to mesh from the faces of a mesh. Nothing does, and nothing is lost, if
+  // the faces bound the same body.
+  void facets() {
+    std::optional<bool> same_body;
+    each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
+      if (!block.of_boundary) return;
+      if (block.dim < 2) return add("that lines and points belong to TetGen's facets", count, name);
+      if (!same_body) same_body = facets_are_surface(document_);
+      if (!*same_body)
+        add("that faces are TetGen's facets, which have no direction and may lie inside of the body", count,
+            name);
+    });
+  }
+
   // The description of the body to mesh, as TetGen's .poly has it.
   void boundary() {
-    if (!holds_.boundary)
-      each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
-        if (block.of_boundary) add("elements as polygons of the boundary to mesh", count, name);
-      });
+    if (!holds_.boundary) facets();
     if (holds_.makes_boundary)
       for (const Written& written : written_.blocks())
         if (!written.block->of_boundary && written.block->dim == 2)

@@ -40,7 +40,11 @@ WrittenPart::WrittenPart(const Document& document, const Holds& holds) : documen
 void WrittenPart::find_cut(const ElementBlock& block, const Holds& holds) {
   for (std::size_t e = 0; e < block.count; ++e) {
     const std::size_t first = triangles_.size();
-    if (holds.cut_into(block, e, triangles_)) cut_.push_back({&block, e, first, triangles_.size() - first});
+    if (!holds.cut_into(block, e, triangles_)) continue;
+    const std::size_t count = triangles_.size() - first;
+    const bool as_it_was = block.nodes_each == 3 && count == 1 &&
+                           std::equal(triangles_[first].begin(), triangles_[first].end(), nodes_of(block, e));
+    cut_.push_back({&block, e, first, count, as_it_was});
   }
 }
 

@@ -27,6 +27,7 @@ class WrittenPart {
     const ElementBlock* block;
     std::size_t element;       ///< in the block
     std::size_t first, count;  ///< its triangles in `triangles_`
+    bool as_it_was;            ///< it is a triangle, and comes back as that
   };
 
   const std::vector<Cut>& cut() const { return cut_; }          ///< in the document's order

@@ -27,11 +27,11 @@ namespace tetproof::io {
 /// from it. Throws InputError.
 ReadDocument read_stl(const InputFile& file, Wanted wanted);
 
-/// Plans STL. It holds triangles of any order by their corners, and planar convex polygons as fans of
-/// triangles (io/surface/polygons.hpp), except those that name nodes which do not exist. Binary: coordinates
-/// are rounded to 32-bit floats, and those that are too large become infinite; title and "attribute" as they
-/// are read. Text, with exact numbers: one solid for each run of elements with the same groups; it stores the
-/// first group.
+/// Plans STL. It holds triangles of any order by their corners, and polygons and facets as the triangles into
+/// which io/surface/cutting.hpp cuts them, except those that name nodes which do not exist or cross
+/// themselves. Binary: coordinates are rounded to 32-bit floats, and those that are too large become
+/// infinite; title as it is read, and "attribute" if no element is cut. Text, with exact numbers: one solid
+/// for each run of elements with the same groups; it stores the first group.
 std::unique_ptr<FilePlan> plan_stl(const Document& document, bool binary);
 
 }  // namespace tetproof::io

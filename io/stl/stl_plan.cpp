@@ -2,6 +2,8 @@
 #include "io/stl/stl_plan.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -14,12 +16,13 @@
 namespace tetproof::io {
 namespace {
 
-StlGroup group_of(const Document& document, const ElementBlock& block) {
+using Names = std::map<std::pair<int, std::int64_t>, std::string>;  // by dimension and group
+
+StlGroup group_of(const Document& document, const ElementBlock& block, const Names& names) {
   const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
   if (groups.empty()) return {};
-  for (const GroupName& name : document.group_names)
-    if (name.dim == block.dim && name.group == groups[0]) return {name.name, groups[0]};
-  return {"", groups[0]};
+  const auto name = names.find({block.dim, groups[0]});
+  return {name == names.end() ? "" : name->second, groups[0]};
 }
 
 bool new_solid(const ElementBlock& last, const ElementBlock& block) {
@@ -27,21 +30,22 @@ bool new_solid(const ElementBlock& last, const ElementBlock& block) {
 }
 
 std::vector<StlSolid> solids_of(const Document& document) {
+  Names names;
+  for (const GroupName& name : document.group_names) names.try_emplace({name.dim, name.group}, name.name);
   std::vector<StlSolid> solids;
   const ElementBlock* last = nullptr;
   for (const ElementBlock& block : document.blocks) {
     if (corners_kept(block) < 3 || block.count == 0) continue;
-    if (!last || new_solid(*last, block)) solids.push_back({group_of(document, block), {}});
+    if (!last || new_solid(*last, block)) solids.push_back({group_of(document, block, names), {}});
     last = &block;
     solids.back().blocks.push_back(&block);
   }
   // A group that no element is in, but that has a name, becomes an empty solid.
-  for (const GroupName& name : document.group_names) {
-    const bool used = std::any_of(solids.begin(), solids.end(),
-                                  [&](const StlSolid& solid) { return solid.group.number == name.group; });
-    if (name.dim == 2 && name.group != 0 && !name.name.empty() && !used)
+  std::set<std::int64_t> used;
+  for (const StlSolid& solid : solids) used.insert(solid.group.number);
+  for (const GroupName& name : document.group_names)
+    if (name.dim == 2 && name.group != 0 && !name.name.empty() && used.insert(name.group).second)
       solids.push_back({{name.name, name.group}, {}});
-  }
   return solids;
 }
 
@@ -56,13 +60,12 @@ const Values* attributes_of(const Document& document) {
   return nullptr;
 }
 
-// Whether the elements are triangles that are written as they are. Those of a facet with holes are cut with
-// it.
-bool triangles_only(const Document& document, const ElementBlock& block) {
-  return corners_kept(block) == 3 &&
-         std::none_of(document.facets.begin(), document.facets.end(), [&](const Facet& facet) {
-           return facet.first < block.first + block.count && block.first < facet.first + facet.polygons;
-         });
+// The number of corners of each element if these are triangles that are written as they are. Those of a facet
+// with holes are cut with it.
+std::function<int(const ElementBlock&)> corners_of_triangles(const Document& document) {
+  return [facets = Facets(document)](const ElementBlock& block) {
+    return corners_kept(block) == 3 && !facets.any_in(block.first, block.count) ? 3 : 0;
+  };
 }
 
 }  // namespace
@@ -86,23 +89,22 @@ bool StlCutter::cut(const ElementBlock& block, std::size_t e, std::vector<std::a
 
 bool StlCutter::cut_facet(const Facet& facet, std::size_t element,
                           std::vector<std::array<Index, 3>>& triangles) {
+  if (&facet == last_facet_ && element != first_face_) return last_is_cut_;
+  last_facet_ = &facet;
+  first_face_ = element;
   facets_.cut(facet, {}, document_.points, cut_);
-  if (!cut_.fault.empty() || cut_.triangles.empty()) return false;
-  for (const ElementBlock& block : document_.blocks) {
-    const std::size_t first = std::max(block.first, facet.first);
-    if (corners_kept(block) < 3 || first >= std::min(block.first + block.count, facet.first + facet.polygons))
-      continue;
-    if (first == element) {
-      bends_.add(cut_, 0);
-      triangles.insert(triangles.end(), cut_.triangles.begin(), cut_.triangles.end());
-    }
-    break;
-  }
+  last_is_cut_ = cut_.fault.empty() && !cut_.triangles.empty();
+  if (!last_is_cut_) return false;
+  bends_.add(cut_, 0);
+  triangles.insert(triangles.end(), cut_.triangles.begin(), cut_.triangles.end());
   return true;
 }
 
-StlPlan stl_plan(const Document& document) {
-  return {solids_of(document), attributes_of(document)};
+StlPlan stl_plan(const Document& document, bool binary) {
+  StlPlan plan{.solids = solids_of(document)};
+  if (binary && keeps_all_elements(document, corners_of_triangles(document)))
+    plan.attributes = attributes_of(document);
+  return plan;
 }
 
 Holds stl_holds(const Document& document, const StlPlan& plan, bool binary) {
@@ -110,18 +112,14 @@ Holds stl_holds(const Document& document, const StlPlan& plan, bool binary) {
   holds.which_nodes = Holds::Nodes::of_elements;
   holds.nodes_by_place = true;
   holds.single = binary;
-  holds.nodes_each = [&document](const ElementBlock& block) {
-    return triangles_only(document, block) ? 3 : 0;
-  };
+  holds.nodes_each = corners_of_triangles(document);
   holds.cut_into = [cutter = StlCutter(document)](const ElementBlock& block, std::size_t e,
                                                   std::vector<std::array<Index, 3>>& triangles) mutable {
     return cutter.cut(block, e, triangles);
   };
   holds.title = document.title.empty() ||
                 (binary && document.title == stl_title(document.title) && document.title.size() <= 80);
-  const bool all = keeps_all_elements(document, holds.nodes_each);
-  const Values* attributes = binary && all ? plan.attributes : nullptr;
-  holds.values = [attributes](const Values& values, Of) { return &values == attributes; };
+  holds.values = [attributes = plan.attributes](const Values& values, Of) { return &values == attributes; };
 
   if (binary) return holds;
   holds.groups = Holds::Groups::first;

@@ -22,13 +22,15 @@ struct StlSolid {
 
 struct StlPlan {
   std::vector<StlSolid> solids;
-  /// Values "attribute" of every element, from 0 to 65535 and not all 0, for the binary form; null: none.
+  /// Values "attribute" of every element, from 0 to 65535 and not all 0, if the file is binary and every
+  /// element is a triangle in it; null: none.
   const Values* attributes = nullptr;
 };
-StlPlan stl_plan(const Document& document);
+StlPlan stl_plan(const Document& document, bool binary);
 Holds stl_holds(const Document& document, const StlPlan& plan, bool binary);
 
-/// Cuts polygons into the triangles that are written, by the rules of io/surface/cutting.hpp.
+/// Cuts polygons into the triangles that are written, by the rules of io/surface/cutting.hpp. Elements come
+/// in the document's order.
 class StlCutter {
  public:
   explicit StlCutter(const Document& document) : document_(document), facets_(document) {}
@@ -44,6 +46,9 @@ class StlCutter {
 
   const Document& document_;
   const Facets facets_;
+  const Facet* last_facet_ = nullptr;  // cut with its first face, an element
+  std::size_t first_face_ = 0;
+  bool last_is_cut_ = false;
   Cut cut_;
   Bends bends_;
 };

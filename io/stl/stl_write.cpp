@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -36,9 +37,8 @@ Eigen::Vector3f normal(const std::vector<Eigen::Vector3d>& points, const std::ar
   return (n / length).cast<float>() + Eigen::Vector3f::Zero();  // without -0
 }
 
-std::vector<WrittenFacet> facets_of(const Document& document, const StlSolid& solid) {
+std::vector<WrittenFacet> facets_of(const StlSolid& solid, StlCutter& cutter) {
   std::vector<WrittenFacet> facets;
-  StlCutter cutter(document);
   std::vector<std::array<Index, 3>> triangles;
   for (const ElementBlock* block : solid.blocks)
     for (std::size_t e = 0; e < block->count; ++e) {
@@ -63,8 +63,9 @@ std::string header_of(const std::string& title) {
 void write_binary(AtomicFile& file, const Document& document, const StlPlan& plan) {
   std::vector<std::vector<WrittenFacet>> solids;
   std::size_t count = 0;
+  StlCutter cutter(document);
   for (const StlSolid& solid : plan.solids) {
-    solids.push_back(facets_of(document, solid));
+    solids.push_back(facets_of(solid, cutter));
     count += solids.back().size();
   }
   if (count > std::numeric_limits<std::uint32_t>::max())
@@ -109,14 +110,15 @@ void write_text(AtomicFile& file, const Document& document, const StlPlan& plan)
   std::vector<StlGroup> groups;
   for (const StlSolid& solid : solids) groups.push_back(solid.group);
   const std::vector<std::string> lines = lines_of_groups(groups);
+  StlCutter cutter(document);
   for (std::size_t s = 0; s < solids.size(); ++s)
-    write_solid(file, document.points, facets_of(document, solids[s]), lines[s]);
+    write_solid(file, document.points, facets_of(solids[s], cutter), lines[s]);
 }
 
 // The triangles, if these are all that is written. Elements that are cut have no single facet for their
 // attribute, so the document stays as it is with them.
 std::optional<std::vector<std::size_t>> elements_with_attributes(const Document& document) {
-  bool is_cut = false;
+  bool is_cut = !document.facets.empty();
   std::vector<std::size_t> triangles = kept_elements(document, [&](const KeptElement& e) {
     is_cut = is_cut || e.corners > 3;
     return e.corners == 3;
@@ -130,23 +132,35 @@ class StlFilePlan : public OneFilePlan {
   StlFilePlan(const Document& document, bool binary)
       : OneFilePlan(document),
         part_(document, elements_with_attributes, KeptPart::Form::lists),
-        plan_(stl_plan(part_.document())),
+        plan_(stl_plan(part_.document(), binary)),
         binary_(binary) {
     holds_ = part_.holds(stl_holds(part_.document(), plan_, binary));
   }
 
   std::string warning(const std::string& path) override {
+    std::string text = bends();
+    if (binary_ && std::any_of(plan_.solids.begin(), plan_.solids.end(),
+                               [](const StlSolid& solid) { return solid.group.number != 0; }))
+      text += fmt::format("{}only the text form has solids: --ascii keeps the groups and their names",
+                          text.empty() ? "" : "; ");
+    return text.empty() ? text : path + ": " + text;
+  }
+
+ private:
+  std::string bends() const {
     StlCutter cutter(part_.document());
     std::vector<std::array<Index, 3>> triangles;
     for (const StlSolid& solid : plan_.solids)
       for (const ElementBlock* block : solid.blocks)
-        for (std::size_t e = 0; corners_kept(*block) > 3 && e < block->count; ++e, triangles.clear())
+        for (std::size_t e = 0; is_cut(*block) && e < block->count; ++e, triangles.clear())
           cutter.cut(*block, e, triangles);
-    const std::string bends = cutter.bends().text();
-    return bends.empty() ? bends : path + ": " + bends;
+    return cutter.bends().text();
+  }
+  // Facets may begin with a triangle.
+  bool is_cut(const ElementBlock& block) const {
+    return corners_kept(block) > 3 || !part_.document().facets.empty();
   }
 
- private:
   void write_into(AtomicFile& file) override {
     binary_ ? write_binary(file, part_.document(), plan_) : write_text(file, part_.document(), plan_);
   }

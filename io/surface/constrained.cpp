@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one source of io/ that includes CGAL.
 #include "io/surface/constrained.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

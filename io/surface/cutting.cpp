@@ -162,7 +162,8 @@ std::string Bends::text() const {
 }
 
 Facets::Facets(const Document& document) : document_(document) {
-  for (const Facet& facet : document.facets) sorted_.push_back(&facet);
+  for (const Facet& facet : document.facets)
+    if (facet.polygons > 0) sorted_.push_back(&facet);
   std::sort(sorted_.begin(), sorted_.end(),
             [](const Facet* a, const Facet* b) { return a->first < b->first; });
 }
@@ -173,6 +174,14 @@ const Facet* Facets::of(std::size_t element) const {
   if (next == sorted_.begin()) return nullptr;
   const Facet* facet = *std::prev(next);
   return element - facet->first < facet->polygons ? facet : nullptr;
+}
+
+bool Facets::any_in(std::size_t first, std::size_t count) const {
+  const auto next = std::lower_bound(sorted_.begin(), sorted_.end(), first + count,
+                                     [](const Facet* facet, std::size_t end) { return facet->first < end; });
+  if (next == sorted_.begin() || count == 0) return false;
+  const Facet& last = **std::prev(next);
+  return first < last.first + last.polygons;
 }
 
 void Facets::cut(const Facet& facet, const std::vector<Index>& moved, const std::vector<Vector3d>& points,

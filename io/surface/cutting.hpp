@@ -22,16 +22,14 @@ struct Cut {
   std::string fault;  ///< why it cannot be cut: "crosses itself"; empty: it was
 };
 
-/// Cuts a polygon of three corners or more, of which neighbours differ. With `Fan` (io/surface/polygons.hpp)
-/// it is
-///  - planar and convex: a fan;
-///  - planar and not convex: the constrained Delaunay triangulation, see io/surface/planar_cut.hpp;
-///  - a quadrangle that is not planar: along its shorter diagonal. If both have the same length: along the
-///  one with
-///    the smallest position. If one of them would fold the quadrangle over: along the other one;
-///  - larger and not planar: the constrained Delaunay triangulation of what is seen along the axis next to
-///  its
-///    normal.
+/// Cuts a polygon of three corners or more, of which neighbours differ. `Fan` (io/surface/polygons.hpp) tells
+/// which kind it is:
+///  - planar and convex: it is cut into a fan;
+///  - planar and not convex: into the constrained Delaunay triangulation, see io/surface/planar_cut.hpp;
+///  - a quadrangle that is not planar: along its shorter diagonal, or along the one with the smallest
+///    position if both have the same length; never along one that would fold it over;
+///  - larger and not planar: into the constrained Delaunay triangulation of what is seen along the axis next
+///    to its normal.
 /// `cut` is overwritten; its memory is used again.
 void cut_polygon(std::span<const Index> corners, const std::vector<Eigen::Vector3d>& points, Cut& cut);
 
@@ -63,8 +61,10 @@ class Facets {
 
   /// The facet of several polygons or with holes that has the element; null: none.
   const Facet* of(std::size_t element) const;
-  /// Cuts a facet; `position` of each node in `points`, or -1-k for one that does not exist: then it has a
-  /// fault.
+  /// Whether any of `count` elements from `first` on belongs to a facet.
+  bool any_in(std::size_t first, std::size_t count) const;
+  /// Cuts a facet. `moved`: the position of each node in `points`; empty: its own. A facet that names a node
+  /// which does not exist has a fault.
   void cut(const Facet& facet, const std::vector<Index>& moved, const std::vector<Eigen::Vector3d>& points,
            Cut& cut) const;
 

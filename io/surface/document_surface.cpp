@@ -61,6 +61,21 @@ class Cutter {
   }
 
   TriangleSurface take(bool welded, std::vector<std::string>& warnings) {
+    cut_all(welded);
+    const std::string path = document_.path.empty() ? "" : document_.path + ": ";
+    if (const std::string bends = bends_.text(); !bends.empty()) warnings.push_back(path + bends);
+    if (const std::string solids = keep_boundary_of_solids(); !solids.empty())
+      warnings.push_back(path + solids);
+    return std::move(surface_);
+  }
+  bool is_boundary_of_solids() {
+    cut_all(false);
+    return are_solid_boundary(surface_.vertices, surface_.triangles, document_.holes);
+  }
+  SurfaceNumbering numbering() { return std::move(numbers_).take(); }
+
+ private:
+  void cut_all(bool welded) {
     std::size_t triangles = 0;
     for (const ElementBlock& block : document_.blocks) {
       check(block);
@@ -80,15 +95,8 @@ class Cutter {
       for (std::size_t e = 0; e < block.count; ++e, node += block.nodes_each)
         add({node, static_cast<std::size_t>(corners)}, block.first + e);
     }
-    const std::string path = document_.path.empty() ? "" : document_.path + ": ";
-    if (const std::string bends = bends_.text(); !bends.empty()) warnings.push_back(path + bends);
-    if (const std::string solids = keep_boundary_of_solids(); !solids.empty())
-      warnings.push_back(path + solids);
-    return std::move(surface_);
   }
-  SurfaceNumbering numbering() { return std::move(numbers_).take(); }
 
- private:
   // "element 8 WHAT", or "face WHAT" in its place in the file.
   [[noreturn]] void fail(std::size_t element, const std::string& what) const {
     if (places_) {
@@ -278,6 +286,17 @@ TriangleSurface surface_of(const Document& document) {
 
 TriangleSurface surface_of(const Document& document, std::vector<std::string>& warnings) {
   return io::Cutter(document, document.points, nullptr).take(false, warnings);
+}
+
+bool facets_are_surface(const Document& document) {
+  if (std::any_of(document.blocks.begin(), document.blocks.end(),
+                  [](const ElementBlock& block) { return block.count > 0 && io::dimension(block) == 3; }))
+    return false;
+  try {
+    return io::Cutter(document, document.points, nullptr).is_boundary_of_solids();
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace tetproof

@@ -80,9 +80,10 @@ bool joins(const ElementBlock& before, const ElementBlock& next) {
          before.nodes_each == next.nodes_each && before.of_boundary == next.of_boundary;
 }
 
-// Puts the elements in this order, each with its corners.
+// Puts the elements in this order, each with its corners. Facets, which name elements by position, are left
+// out: no format that is written from such a part holds them.
 void arrange(const std::vector<std::size_t>& elements, const Document& from, Document& to) {
-  to.blocks.clear(), to.connectivity.clear(), to.element_tags.clear();
+  to.blocks.clear(), to.connectivity.clear(), to.element_tags.clear(), to.facets.clear();
   auto block = from.blocks.begin();
   for (const std::size_t e : elements) {
     if (e < block->first) block = from.blocks.begin();

@@ -31,7 +31,7 @@ class KeptPart {
   KeptPart(const KeptPart&) = delete;
   KeptPart& operator=(const KeptPart&) = delete;
 
-  /// The document itself where its elements and values are as they must be.
+  /// The document itself where its elements and values are as they must be; else one without its facets.
   const Document& document() const { return made_ ? *made_ : document_; }
 
   /// What is held of the document, from what is held of this part. Refers to this part.

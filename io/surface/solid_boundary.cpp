@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "io/surface/constrained.hpp"
+#include "io/surface/crossed_triangles.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -35,12 +36,20 @@ class Sides {
 class Cells {
  public:
   Cells(const std::vector<Vector3d>& points, const std::vector<Triangle>& triangles)
-      : points_(points), triangles_(triangles), sides_(triangles.size()), parts_(triangles.size()) {}
+      : points_(points), triangles_(triangles), sides_(triangles.size()), parts_(triangles.size()) {
+    Vector3d low = p(triangles_[0][0]), high = low;
+    for (const Triangle& t : triangles_)
+      for (const Index i : t) low = low.cwiseMin(p(i)), high = high.cwiseMax(p(i));
+    middle_ = low / 2 + high / 2;
+    size_ = (high - low).stableNorm();
+  }
 
   std::optional<SolidBoundary> boundary(std::span<const Vector3d> holes) {
     for (const Triangle& t : triangles_)
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || on_a_line(p(t[0]), p(t[1]), p(t[2]))) return {};
-    if (!join_around_edges() || !join_parts()) return {};
+    tree_.emplace(points_, triangles_);
+    join_around_edges();
+    if (!join_parts()) return {};
     std::vector<std::size_t> empty{outermost_};
     for (const Vector3d& hole : holes)
       if (const std::optional<std::size_t> side = side_around(hole)) empty.push_back(*side);
@@ -64,7 +73,7 @@ class Cells {
 
   const Vector3d& p(Index i) const { return points_[static_cast<std::size_t>(i)]; }
 
-  bool join_around_edges();
+  void join_around_edges();
   bool join_parts();
   std::optional<std::size_t> side_around(const Vector3d& place) const;
   bool hits(const Vector3d& from, const Vector3d& to, std::vector<Hit>& all) const;
@@ -76,10 +85,13 @@ class Cells {
   Sides sides_;
   Sides parts_;                // by triangle, those that are connected by edges; the odd positions are unused
   std::size_t outermost_ = 0;  // a side
+  Vector3d middle_;            // of the box around all
+  double size_ = 0;            // the diagonal of that box
+  std::optional<CrossedTriangles> tree_;
 };
 
 // Two triangles that follow each other around an edge have a cell between them.
-bool Cells::join_around_edges() {
+void Cells::join_around_edges() {
   std::map<std::array<Index, 2>, std::vector<Wing>> edges;
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -105,36 +117,31 @@ bool Cells::join_around_edges() {
       parts_.join(2 * here.triangle, 2 * next.triangle);
     }
   }
-  return true;
 }
 
 // A point outside of all, in directions that no plane of a usual model has.
 Vector3d Cells::far_point(int attempt) const {
-  Vector3d low = p(triangles_[0][0]), high = low;
-  for (const Triangle& t : triangles_)
-    for (const Index i : t) low = low.cwiseMin(p(i)), high = high.cwiseMax(p(i));
-  const double turn = 0.7 + 1.3 * attempt, size = 3 * (high - low).norm();
-  return (low + high) / 2 + size * Vector3d(std::floor(1024 * std::cos(turn)) / 1024 + 0.011,
-                                            std::floor(1024 * std::sin(turn)) / 1024 + 0.013,
-                                            0.517 + 0.031 * attempt);
+  const double turn = 0.7 + 1.3 * attempt;
+  return middle_ + 3 * size_ *
+                       Vector3d(std::floor(1024 * std::cos(turn)) / 1024 + 0.011,
+                                std::floor(1024 * std::sin(turn)) / 1024 + 0.013, 0.517 + 0.031 * attempt);
 }
 
 // The triangles that the segment crosses, in order. False: it meets an edge or a vertex, or two of them so
 // close that their order is not sure.
 bool Cells::hits(const Vector3d& from, const Vector3d& to, std::vector<Hit>& all) const {
   all.clear();
-  if (!from.allFinite() || !to.allFinite()) return false;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+  if (!from.allFinite() || !to.allFinite() || from == to) return false;
+  for (const std::size_t t : tree_->of(from, to)) {
     const Vector3d &a = p(triangles_[t][0]), &b = p(triangles_[t][1]), &c = p(triangles_[t][2]);
     const int start = side_of_plane(a, b, c, from), end = side_of_plane(a, b, c, to);
-    if (start * end > 0) continue;
     const std::array<int, 3> around{side_of_plane(from, to, a, b), side_of_plane(from, to, b, c),
                                     side_of_plane(from, to, c, a)};
     const auto [least, most] = std::minmax_element(around.begin(), around.end());
-    if (*least < 0 && *most > 0) continue;
     if (*least == 0 || *most == 0 || start == 0 || end == 0) return false;
-    const Vector3d normal = (b - a).cross(c - a);
-    const double before = normal.dot(from - a), behind = normal.dot(to - a);
+    // In units of the size, so that the products neither overflow nor underflow.
+    const Vector3d normal = ((b - a) / size_).cross((c - a) / size_);
+    const double before = normal.dot((from - a) / size_), behind = normal.dot((to - a) / size_);
     all.push_back({before / (before - behind), 2 * t + (start > 0 ? 0 : 1), 2 * t + (start > 0 ? 1 : 0)});
   }
   if (std::any_of(all.begin(), all.end(), [](const Hit& hit) { return !std::isfinite(hit.at); }))
@@ -187,10 +194,9 @@ std::optional<std::size_t> Cells::side_around(const Vector3d& place) const {
 }
 
 std::optional<SolidBoundary> Cells::separate(const std::vector<std::size_t>& empty) {
-  const auto is_empty = [&](std::size_t side) {
-    return std::any_of(empty.begin(), empty.end(),
-                       [&, cell = sides_.cell(side)](std::size_t one) { return sides_.cell(one) == cell; });
-  };
+  std::vector<bool> empty_cells(2 * triangles_.size());
+  for (const std::size_t side : empty) empty_cells[sides_.cell(side)] = true;
+  const auto is_empty = [&](std::size_t side) { return empty_cells[sides_.cell(side)]; };
   SolidBoundary boundary;
   std::map<std::array<Index, 2>, int> open;  // by edge: how often it is run upwards rather than downwards
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -210,6 +216,13 @@ std::optional<SolidBoundary> Cells::separate(const std::vector<std::size_t>& emp
   for (const auto& [edge, more] : open)
     if (more != 0) return {};
   return boundary;
+}
+
+bool all_finite(const std::vector<Vector3d>& points, const std::vector<Triangle>& triangles) {
+  return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](Index i) { return points[static_cast<std::size_t>(i)].allFinite(); });
+  });
 }
 
 // Whether the triangles are the surface of one solid already, in one piece and wound outwards, as in most
@@ -248,11 +261,17 @@ bool is_one_solid(const std::vector<Vector3d>& points, const std::vector<Triangl
 std::optional<SolidBoundary> solid_boundary(const std::vector<Vector3d>& points,
                                             const std::vector<Triangle>& triangles,
                                             std::span<const Vector3d> holes) {
-  for (const Triangle& t : triangles)
-    for (const Index i : t)
-      if (!points[static_cast<std::size_t>(i)].allFinite()) return {};
-  if (triangles.empty() || (holes.empty() && is_one_solid(points, triangles))) return {};
+  if (triangles.empty() || !all_finite(points, triangles)) return {};
+  if (holes.empty() && is_one_solid(points, triangles)) return {};
   return Cells(points, triangles).boundary(holes);
+}
+
+bool are_solid_boundary(const std::vector<Vector3d>& points, const std::vector<Triangle>& triangles,
+                        std::span<const Vector3d> holes) {
+  if (triangles.empty() || !all_finite(points, triangles)) return false;
+  if (holes.empty() && is_one_solid(points, triangles)) return true;
+  const std::optional<SolidBoundary> boundary = Cells(points, triangles).boundary(holes);
+  return boundary && boundary->turned == 0 && boundary->triangles.size() == triangles.size();
 }
 
 }  // namespace tetproof::io

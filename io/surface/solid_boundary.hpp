@@ -30,4 +30,9 @@ std::optional<SolidBoundary> solid_boundary(const std::vector<Eigen::Vector3d>& 
                                             const std::vector<std::array<Index, 3>>& triangles,
                                             std::span<const Eigen::Vector3d> holes);
 
+/// Whether the triangles are the boundary of the solids as they are: all of it, and wound outwards.
+bool are_solid_boundary(const std::vector<Eigen::Vector3d>& points,
+                        const std::vector<std::array<Index, 3>>& triangles,
+                        std::span<const Eigen::Vector3d> holes);
+
 }  // namespace tetproof::io

@@ -52,7 +52,8 @@ class Comparison {
         after_(after),
         old_(elements_of(before)),
         new_(elements_of(after)),
-        pairs_(pair_up(before, old_, after, new_, holding)) {}
+        pairs_(pair_up(before, old_, after, new_, holding)),
+        may_be_surface_(may_be_surface()) {}
 
   std::vector<Difference> list() {
     nodes();
@@ -70,6 +71,26 @@ class Comparison {
 
  private:
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+  // Whether the faces may be the surface of a solid: then it is no loss that they are no facets any more. No
+  // side of a face may be left over, except those of facets, of which only a part may belong to the surface.
+  bool may_be_surface() const {
+    std::map<std::pair<Index, Index>, int> sides;
+    for (const Element& element : old_) {
+      const io::ElementType* type = io::element_type(element.type);
+      const int dim = type ? type->dim : element.dim;
+      if (dim == 3) return false;
+      if (dim != 2) continue;
+      const std::size_t n = type ? static_cast<std::size_t>(type->corners) : element.nodes.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        const Index a = element.nodes[k], b = element.nodes[(k + 1) % n];
+        sides[std::minmax(a, b)] += a < b ? 1 : -1;
+      }
+    }
+    return !before_.facets.empty() || std::all_of(sides.begin(), sides.end(), [](const auto& side) {
+      return side.second == 0 || side.first.first == side.first.second;
+    });
+  }
 
   void nodes() {
     for (std::size_t i = 0; i < before_.points.size(); ++i) {
@@ -160,11 +181,14 @@ class Comparison {
     }
     if (was.partitions != is.partitions)
       differences_.add_one(is.partitions.empty() ? "partitions of elements" : "changed partitions", example);
-    if (was.of_boundary != is.of_boundary)
-      differences_.add_one(was.of_boundary
-                               ? "elements as polygons of the boundary to mesh"
-                               : "elements as faces of a mesh, not polygons of a boundary to mesh",
-                           example);
+    if (was.of_boundary && !is.of_boundary && was.dim < 2)
+      differences_.add_one("that lines and points belong to TetGen's facets", example);
+    else if (was.of_boundary && !is.of_boundary)
+      differences_.add(
+          "that faces are TetGen's facets, which have no direction and may lie inside of the body", 1,
+          example, may_be_surface_, example);
+    else if (was.of_boundary != is.of_boundary)
+      differences_.add_one("elements as faces of a mesh, not polygons of a boundary to mesh", example);
     for (std::size_t k = 0; k < is.nodes.size(); ++k) {
       if (is.nodes[k] >= 0) continue;
       const std::int64_t a = before_.named(was.nodes[k]), b = after_.named(is.nodes[k]);
@@ -242,6 +266,7 @@ class Comparison {
   const Document &before_, &after_;
   const std::vector<Element> old_, new_;
   const Pairing pairs_;
+  const bool may_be_surface_;
   std::set<std::int64_t> renumbered_unknown_;
   DifferenceList differences_;
 };

@@ -195,5 +195,30 @@ TEST(DocumentsCompare, KnowsWhatWasCut) {
             missing + "1; gained elements 1; numbers of elements 1; ");
 }
 
+// A plate with a hole, and a triangle between a facet's triangles.
+TEST(DocumentsCompare, KnowsFacetsThatWereCut) {
+  Document plate;
+  for (int i = 0; i < 9; ++i) plate.points.emplace_back(i / 16.0, 0, 0);
+  constexpr double corners[][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 1}, {3, 3}, {1, 3}, {9, 9}};
+  for (std::size_t i = 0; i < 9; ++i) plate.points[i] += Eigen::Vector3d(corners[i][0], corners[i][1], 0);
+  plate.blocks = {{.type = 3, .dim = 2, .nodes_each = 4, .count = 2, .of_boundary = true},
+                  {.type = 2, .dim = 2, .nodes_each = 3, .count = 1, .first = 2, .nodes = 8}};
+  plate.connectivity = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 8};
+  plate.facets = {{.first = 0, .polygons = 2, .holes = {{2, 2, 0}}}};
+  Document stl = plate;
+  stl.facets.clear();
+  stl.blocks = {{.type = 2, .dim = 2, .nodes_each = 3, .count = 9}};
+  stl.connectivity = {0, 1, 4, 1, 5, 4, 1, 2, 5, 2, 6, 5, 2, 3, 6, 3, 7, 6, 3, 0, 7, 0, 4, 7, 0, 1, 8};
+  const std::string facets =
+      "that faces are TetGen's facets, which have no direction and may lie inside of the body ";
+  const std::string cut = "quadrangles of 4 nodes (type 3) cut into triangles 2; numbers of elements 1; " +
+                          facets + "2; facets of several polygons or with holes 1; ";
+  EXPECT_EQ(text_of(differences(plate, stl, Holding::triangles)), cut);
+  stl.connectivity[3] = 8;  // a node that the facet has not
+  EXPECT_NE(text_of(differences(plate, stl, Holding::triangles)), cut);
+  stl.connectivity[3] = 2, stl.connectivity[5] = 4;  // the triangle 2 5 4 runs over another one
+  EXPECT_NE(text_of(differences(plate, stl, Holding::triangles)), cut);
+}
+
 }  // namespace
 }  // namespace tetproof::test

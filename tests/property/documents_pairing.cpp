@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -41,11 +42,19 @@ std::size_t corners_to_cut(const Element& element) {
 
 using Triangle = std::array<Index, 3>;
 
-// Finds polygons in the triangles that they were cut into.
+// Finds polygons and facets in the triangles that they were cut into.
 class Cutting {
  public:
-  Cutting(const std::vector<Element>& before, const std::vector<Element>& after, Pairing& pairs)
-      : before_(before), after_(after), pairs_(pairs) {
+  Cutting(const Document& document, const std::vector<Element>& before, const std::vector<Element>& after,
+          Pairing& pairs)
+      : document_(document),
+        before_(before),
+        after_(after),
+        pairs_(pairs),
+        facet_(before.size()),
+        taken_(before.size()) {
+    for (const Facet& facet : document.facets)
+      for (std::size_t k = 0; k < facet.polygons; ++k) facet_[facet.first + k] = &facet;
     for (const Element& element : after) {
       Triangle corners{none, none, none};
       for (std::size_t k = 0; element.type == io::triangle3 && k < 3; ++k)
@@ -54,8 +63,8 @@ class Cutting {
       triangles_.push_back(corners);
       ++surplus_[corners];
     }
-    for (const Element& element : before)
-      if (is_triangle(element)) --surplus_[{element.nodes[0], element.nodes[1], element.nodes[2]}];
+    for (std::size_t b = 0; b < before.size(); ++b)
+      if (is_triangle(b)) --surplus_[{before[b].nodes[0], before[b].nodes[1], before[b].nodes[2]}];
   }
 
   // Tries until no triangle is left over. If polygons name nodes several times, the triangles of one may be
@@ -65,39 +74,63 @@ class Cutting {
     if (left_ > 0) find_from(0, 0);
   }
 
+  // Whether an element comes back only with its facet, as triangles that are not it.
+  bool comes_with_facet(std::size_t b) const {
+    return facet_[b] && !(taken_[b] == 1 && pairs_.cut_after[b] == none);
+  }
+
  private:
   // A triangle that came back as it was, or by its corners.
-  static bool is_triangle(const Element& element) {
-    return (element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3})) &&
+  bool is_triangle(std::size_t b) const {
+    const Element& element = before_[b];
+    return !facet_[b] &&
+           (element.type == io::triangle3 || corners_of(element) == std::pair(2, std::size_t{3})) &&
            !element.names_unknown();
   }
 
   bool find_from(std::size_t b, std::size_t from) {
     if (left_ == 0) return true;
     if (b == before_.size() || ++tries_ > 100000) return false;
-    const std::size_t n = corners_to_cut(before_[b]);
-    const auto cut_at = [&](std::size_t e) {
-      if (n < 4 || e + n > after_.size() + 2 || !cover(before_[b], n, e)) return false;
-      claim(b, e, n - 2, 1);
-      if (find_from(b + 1, e + n - 2)) return true;
-      claim(b, e, n - 2, -1);
+    const std::size_t n = facet_[b] ? 0 : corners_to_cut(before_[b]),
+                      behind = b + (facet_[b] ? facet_[b]->polygons : 1);
+    const auto cut_at = [&](std::size_t e, std::size_t count) {
+      if (e + count > after_.size() || !(facet_[b] ? cover(*facet_[b], count, e) : cover(before_[b], n, e)))
+        return false;
+      claim(b, e, count, 1);
+      if (find_from(behind, e + count)) return true;
+      claim(b, e, count, -1);
+      return false;
+    };
+    // With a facet, the largest number of triangles first: all may have corners of the facet only.
+    const auto any_cut_at = [&](std::size_t e) {
+      if (!facet_[b]) return n >= 4 && cut_at(e, n - 2);
+      for (std::size_t count = after_.size() - e; count > 0; --count)
+        if (cut_at(e, count)) return true;
       return false;
     };
     // Most likely they follow the triangles of the elements before the polygon.
     std::size_t place = 0;
-    for (std::size_t i = 0; i < b; ++i)
-      place += is_triangle(before_[i]) ? 1 : pairs_.cut_after[i] != none ? corners_to_cut(before_[i]) - 2 : 0;
-    if (place >= from && place < after_.size() && cut_at(place)) return true;
+    for (std::size_t i = 0; i < b; ++i) place += is_triangle(i) ? 1 : taken_[i];
+    if (place >= from && place < after_.size() && any_cut_at(place)) return true;
     for (std::size_t e = from; e < after_.size(); ++e)
-      if (e != place && cut_at(e)) return true;
-    return find_from(b + 1, from);
+      if (e != place && any_cut_at(e)) return true;
+    return find_from(behind, from);
   }
 
-  // Gives the triangles from `e` on to a polygon (`sign` 1), or takes them away again (-1).
+  // Gives the triangles from `e` on to a polygon or to the first face of a facet (`sign` 1), or takes them
+  // away again (-1). A facet's first face that is the only triangle itself was not cut.
   void claim(std::size_t b, std::size_t e, std::size_t count, int sign) {
-    pairs_.cut_after[b] = sign > 0 ? static_cast<Index>(e) : none;
+    std::size_t face = b;
+    const std::size_t behind = b + (facet_[b] ? facet_[b]->polygons : 1);
+    while (before_[face].nodes.size() < 3) ++face;
+    const std::vector<Index> only(triangles_[e].begin(), triangles_[e].end());
+    const bool as_it_was = count == 1 && before_[face].nodes == only;
+    taken_[face] = sign > 0 ? count : 0;
+    for (std::size_t i = face; i < behind; ++i)
+      if (before_[i].nodes.size() >= 3 && !(i == face && as_it_was))
+        pairs_.cut_after[i] = sign > 0 ? static_cast<Index>(e) : none;
     for (std::size_t i = e; i < e + count; ++i) {
-      pairs_.cut_before[i] = sign > 0 ? static_cast<Index>(b) : none;
+      if (!as_it_was) pairs_.cut_before[i] = sign > 0 ? static_cast<Index>(face) : none;
       surplus_[triangles_[i]] -= sign;
     }
     left_ = sign > 0 ? left_ - count : left_ + count;
@@ -143,8 +176,53 @@ class Cutting {
     });
   }
 
+  // Whether the triangles from `e` on may be those of a facet, and none of them was a triangle before: they
+  // have corners of the facet only and are wound alike, and where they end there is a side of a polygon.
+  bool cover(const Facet& facet, std::size_t count, std::size_t e) {
+    std::vector<std::pair<Index, Index>> sides;
+    std::set<Index> corners;
+    for (std::size_t i = facet.first; i < facet.first + facet.polygons; ++i) {
+      const std::vector<Index>& nodes = before_[i].nodes;
+      corners.insert(nodes.begin(), nodes.end());
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        sides.emplace_back(nodes[k], nodes[(k + 1) % nodes.size()]);
+    }
+    const auto is_face = [&](const Element& element) { return element.nodes.size() >= 3; };
+    const auto first = before_.begin() + static_cast<std::ptrdiff_t>(facet.first);
+    if (*corners.begin() < 0 ||
+        std::none_of(first, first + static_cast<std::ptrdiff_t>(facet.polygons), is_face))
+      return false;
+    std::map<Triangle, int> used;
+    std::set<std::pair<Index, Index>> run;
+    for (std::size_t i = e; i < e + count; ++i) {
+      const Triangle& t = triangles_[i];
+      if (++used[t] > surplus_[t] || t[0] == none) return false;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (corners.count(t[k]) == 0 || !run.insert({t[k], t[(k + 1) % 3]}).second) return false;
+    }
+    return std::all_of(run.begin(), run.end(), [&](const auto& side) {
+      return run.count({side.second, side.first}) > 0 ||
+             std::any_of(sides.begin(), sides.end(), [&](const auto& whole) {
+               return is_on(side.first, whole) && is_on(side.second, whole);
+             });
+    });
+  }
+
+  // Whether a node is an end of a side, or lies on its line as seen along an axis.
+  bool is_on(Index node, const std::pair<Index, Index>& side) const {
+    if (node == side.first || node == side.second) return true;
+    const auto p = [&](Index i) -> const Eigen::Vector3d& {
+      return document_.points[static_cast<std::size_t>(i)];
+    };
+    const Eigen::Vector3d a = p(side.second) - p(side.first), b = p(node) - p(side.first);
+    return a[0] * b[1] == a[1] * b[0] || a[1] * b[2] == a[2] * b[1] || a[2] * b[0] == a[0] * b[2];
+  }
+
+  const Document& document_;
   const std::vector<Element>&before_, &after_;
   Pairing& pairs_;
+  std::vector<const Facet*> facet_;  // of each element of `before`; null: none
+  std::vector<std::size_t> taken_;   // how many triangles of `after` each element of `before` has now
   std::vector<Triangle> triangles_;  // of `after`, with the node numbers of `before`
   std::map<Triangle, int> surplus_;  // the number in `after` minus the number in `before`
   std::size_t left_ = 0, tries_ = 0;
@@ -210,7 +288,8 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
   pairs.element_before.assign(elements_after.size(), none);
   pairs.cut_before.assign(elements_after.size(), none);
   pairs.cut_after.assign(elements_before.size(), none);
-  if (holding == Holding::triangles) Cutting(elements_before, elements_after, pairs).find();
+  std::optional<Cutting> cutting;
+  if (holding == Holding::triangles) cutting.emplace(before, elements_before, elements_after, pairs).find();
   std::vector<Key> keys;                // elements of `after`, with the node numbers of `before`
   std::map<Key, std::size_t> unpaired;  // how many of each are not paired yet
   for (std::size_t e = 0; e < elements_after.size(); ++e) {
@@ -232,7 +311,9 @@ Pairing pair_up(const Document& before, const std::vector<Element>& elements_bef
     for (const auto* in : among)
       if (const auto like = in->find(keys[e]); like != in->end())
         for (const Index b : like->second)
-          if (pairs.element_after[static_cast<std::size_t>(b)] == none) candidates.push_back(b);
+          if (pairs.element_after[static_cast<std::size_t>(b)] == none &&
+              !(cutting && cutting->comes_with_facet(static_cast<std::size_t>(b))))
+            candidates.push_back(b);
     // If all came back there is no need to choose.
     if (same_part && candidates.size() > unpaired[keys[e]])
       std::erase_if(candidates, [&](Index b) {

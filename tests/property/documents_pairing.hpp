@@ -37,8 +37,8 @@ enum class Holding { elements, elements_of_nodes, triangles };
 
 /// Pairs nodes by the 32-bit value of their x. Pairs elements by their type and nodes, or by their corners if
 /// a higher-order element lost its other nodes. Equal elements are paired in order. If the format holds only
-/// triangles, a polygon of n corners is paired with n - 2 consecutive triangles that start at the same corner
-/// and go around it.
+/// triangles, a polygon of n corners is paired with n - 2 consecutive triangles that cover it, and every face
+/// of a facet with the consecutive triangles that cover the facet.
 Pairing pair_up(const Document& before, const std::vector<Element>& elements_before, const Document& after,
                 const std::vector<Element>& elements_after, Holding holding);
 

@@ -71,7 +71,6 @@ rc::Gen<Recipe> any_recipe() {
 void leave_out_what_has_no_identity(Recipe& recipe, const Target& target) {
   if (target.options.format != "stl") return;
   recipe.with[static_cast<std::size_t>(Feature::nan_coordinates)] = false;
-  recipe.with[static_cast<std::size_t>(Feature::facets)] = false;  // become triangles of several polygons
 }
 
 using Counts = std::map<std::string, std::int64_t>;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "io/surface_files.hpp"
@@ -99,6 +100,60 @@ TEST(SolidBoundary, BoxesInBoxes) {
   ASSERT_TRUE(solid);
   EXPECT_EQ(solid->triangles.size(), 24u);  // those inside separate solids from solids
   EXPECT_DOUBLE_EQ(facets.volume(*solid), 125 + 1);
+}
+
+// 6 x 6 x 6 boxes with a box in each, and one box around all. Points of holes: one in the space between the
+// boxes, and one in each inner box.
+TEST(SolidBoundary, ManyParts) {
+  Facets facets;
+  std::vector<Vector3d> holes{{3.6, 3.7, 3.8}};
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 6; ++y)
+      for (int z = 0; z < 6; ++z) {
+        const Vector3d low(4 * x, 4 * y, 4 * z);
+        facets.box(low, low + Vector3d(3, 3, 3));
+        facets.box(low + Vector3d(1, 1, 1), low + Vector3d(2, 2, 2));
+        holes.push_back(low + Vector3d(1.4, 1.5, 1.6));
+      }
+  facets.box({-1, -1, -1}, {24, 24, 24});
+  const auto boundary = solid_boundary(facets.points, facets.triangles, holes);
+  ASSERT_TRUE(boundary);
+  EXPECT_EQ(boundary->triangles.size(), 216u * 24);  // the outermost box separates two empty cells
+  EXPECT_NEAR(facets.volume(*boundary), 216 * (27 - 1), 1e-9);
+  EXPECT_FALSE(are_solid_boundary(facets.points, facets.triangles, holes));
+  const auto solid = solid_boundary(facets.points, facets.triangles, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->triangles.size(), 12u);
+  EXPECT_DOUBLE_EQ(facets.volume(*solid), 25 * 25 * 25);
+}
+
+// A cavity and an inner wall, at scales whose cubes are no doubles.
+TEST(SolidBoundary, AtEveryScale) {
+  for (const int exponent : {-600, -400, 400, 600}) {
+    Facets facets;
+    facets.box({1, 1, 1}, {2, 2, 2});
+    facets.box({0, 0, 0}, {3, 3, 3});
+    facets.box({3, 0, 0}, {5, 3, 3}, {0});
+    std::vector<Vector3d> points = facets.points, holes{{1.2, 1.3, 1.4}};
+    for (Vector3d& p : points) p *= std::ldexp(1, exponent);
+    for (Vector3d& p : holes) p *= std::ldexp(1, exponent);
+    const auto boundary = solid_boundary(points, facets.triangles, holes);
+    ASSERT_TRUE(boundary) << exponent;
+    EXPECT_DOUBLE_EQ(facets.volume(*boundary), 45 - 1) << exponent;
+    EXPECT_EQ(boundary->triangles.size(), 12u + 20u) << exponent;
+  }
+}
+
+TEST(SolidBoundary, KnowsItself) {
+  Facets facets;
+  facets.box({0, 0, 0}, {1, 2, 3});
+  facets.box({4, 0, 0}, {5, 1, 1});
+  EXPECT_FALSE(are_solid_boundary(facets.points, facets.triangles, {}));
+  facets.triangles = solid_boundary(facets.points, facets.triangles, {})->triangles;
+  EXPECT_TRUE(are_solid_boundary(facets.points, facets.triangles, {}));
+  EXPECT_FALSE(are_solid_boundary(facets.points, facets.triangles, std::vector<Vector3d>{{0.4, 0.5, 0.6}}));
+  facets.triangles.pop_back();
+  EXPECT_FALSE(are_solid_boundary(facets.points, facets.triangles, {}));
 }
 
 TEST(SolidBoundary, DanglingFacetsAndOpenSurfaces) {
