@@ -83,8 +83,14 @@ class MeshLosses : LossFinder {
     }
   }
 
+  // Medit counts the elements of each kind from 1, and says no order of the kinds.
+  bool has_no_numbers() const {
+    return document_.format == "medit" && document_.element_tags.empty() && document_.first_element == 1;
+  }
+
   // The order changes where the writer puts elements of one kind together.
   void order() {
+    if (has_no_numbers()) return;
     const std::vector<Written>& blocks = written_.blocks();
     for (std::size_t i = 1; i < blocks.size(); ++i)
       if (blocks[i].block < blocks[i - 1].block)
@@ -158,7 +164,7 @@ class MeshLosses : LossFinder {
   }
 
   void element_numbers() {
-    if (holds_.element_tags || written_.blocks().empty()) return;
+    if (holds_.element_tags || written_.blocks().empty() || has_no_numbers()) return;
     std::int64_t first = 0, first_in_file = 0, position = 0, before = 0;
     bool plain = true, begun = false;  // plain: they count up from 0 or 1, and so do the file's
     bool same = true;                  // they are equal to the file's, which start from 1

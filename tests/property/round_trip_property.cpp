@@ -281,6 +281,16 @@ std::vector<Target> targets_with_supplements() {
 INSTANTIATE_TEST_SUITE_P(Formats, KeptAsideProperty, testing::ValuesIn(targets_with_supplements()),
                          [](const auto& test) { return test.param.name; });
 
+// What is missing in `after`, except for what a Medit file never said: numbers and the order of its elements.
+std::vector<Difference> said_and_missing(const Document& before, const Document& after, Holding holding) {
+  std::vector<Difference> seen = differences(before, after, holding);
+  if (before.format == "medit")
+    std::erase_if(seen, [](const Difference& d) {
+      return d.item == "numbers of elements" || d.item == "order of elements";
+    });
+  return seen;
+}
+
 // A -> B -> A: everything in the first A comes back, except for the losses that were listed on the way.
 TEST(RoundTrips, AllPairs) {
   const std::vector<Target> targets = all_targets();
@@ -296,11 +306,11 @@ TEST(RoundTrips, AllPairs) {
     const Document first = there_and_back(folder, document, a);
     std::vector<Loss> said = losses(b.file, first, b.options);
     const Document second = there_and_back(folder, first, b);
-    std::string wrong = disagreement(said, differences(first, second, holding(b, first)));
+    std::string wrong = disagreement(said, said_and_missing(first, second, holding(b, first)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {}: {}", a.name, b.name, wrong));
     const std::vector<Loss> more = losses(a.file, second, a.options);
     const Document third = there_and_back(folder, second, a);
-    wrong = disagreement(more, differences(second, third, holding(a, second)));
+    wrong = disagreement(more, said_and_missing(second, third, holding(a, second)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
     said.insert(said.end(), more.begin(), more.end());
     // An entity of all nodes is not a loss, and may come back with another number.
@@ -314,8 +324,10 @@ TEST(RoundTrips, AllPairs) {
       return d.element_tags.empty() && (d.first_element == 0 || d.first_element == 1);
     };
     const bool numbers_say_nothing = plain(second) && plain(third);
-    for (const Difference& d : differences(first, third, std::max(holding(b, first), holding(a, second))))
-      if (!d.unsure && !(one_entity && d.item == "entities of nodes") &&
+    for (const Difference& d :
+         said_and_missing(first, third, std::max(holding(b, first), holding(a, second))))
+      if (!d.unsure && !(second.format == "medit" && d.item == "order of elements") &&
+          !(one_entity && d.item == "entities of nodes") &&
           !(numbers_say_nothing && d.item == "numbers of elements") &&
           std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return tells(loss, d); }))
         RC_FAIL(fmt::format("{} -> {} -> {}: not said: {} ({}): {}", a.name, b.name, a.name, d.item, d.count,
