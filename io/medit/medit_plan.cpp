@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
+#include <unordered_set>
 
 #include "io/error.hpp"
 #include "io/medit/medit.hpp"
@@ -39,15 +41,12 @@ bool is_plain_name(const std::string& name) {
          name != "Dimension" && name != "Vertices" && !name.ends_with("Ordering") && !medit_mark(name);
 }
 
-// Whether no item of `all` before `one` is written under the same name. Of several with one name, only the
-// first is written.
-template <class Named, class IsWritten>
-bool is_first_of_name(const std::vector<Named>& all, const Named& one, const IsWritten& is_written) {
-  for (const Named& before : all) {
-    if (&before == &one) break;
-    if (before.name == one.name && is_written(before)) return false;
-  }
-  return true;
+// Whether no values of nodes or elements before these have the same name. Of several with one name, only the
+// first are written.
+bool are_first_of_name(const Document& document, const Values& values, Of of) {
+  const std::vector<Values>& all = of == Of::node ? document.node_values : document.element_values;
+  return &values == &*std::find_if(all.begin(), all.end(),
+                                   [&](const Values& other) { return other.name == values.name; });
 }
 
 // The reader drops references that are all 0.
@@ -264,9 +263,7 @@ Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary) 
     if (of == Of::node && references == &values && (values.reals.empty() || values.name != "references") &&
         references_come_back(values, binary))
       return HeldNumbers{.name = "references"};
-    if (of != Of::element_node && values.at.empty() &&
-        is_first_of_name(of == Of::node ? document.node_values : document.element_values, values,
-                         [](const Values&) { return true; }) &&
+    if (of != Of::element_node && values.at.empty() && are_first_of_name(document, values, of) &&
         mark_comes_back(document, stay, values, of == Of::node, binary))
       return HeldNumbers{.name = values.name};
     return {};
@@ -276,17 +273,17 @@ Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary) 
     if (const std::string name = named(values, of); !name.empty()) return values.name == name;
     if (of == Of::element_node || !values.labels.empty() || !values.nodes.empty() || has_step(values))
       return false;
-    const auto any = [](const Values&) { return true; };
-    if (!is_first_of_name(of == Of::node ? document.node_values : document.element_values, values, any))
-      return false;
+    if (!are_first_of_name(document, values, of)) return false;
     if (of == Of::node && references == &values)
       return values.name == "references" && references_come_back(values, binary);
     return !values.at.empty() && mark_comes_back(document, stay, values, of == Of::node, binary);
   };
-  holds.section = [&document, binary](const Section& section) {
-    if (!writes_medit_section(section, binary) || section.swapped || section.before_nodes) return false;
-    const auto is_written = [binary](const Section& one) { return writes_medit_section(one, binary); };
-    if (!is_first_of_name(document.sections, section, is_written)) return false;
+  std::unordered_set<const Section*> written;  // of several with one name, the first
+  std::unordered_set<std::string_view> names;
+  for (const Section& section : document.sections)
+    if (writes_medit_section(section, binary) && names.insert(section.name).second) written.insert(&section);
+  holds.section = [binary, written](const Section& section) {
+    if (written.count(&section) == 0 || section.swapped || section.before_nodes) return false;
     if (!binary) return true;
     const MeditKeyword& keyword = *medit_keyword(section.name);
     return medit_body(keyword, *medit_lines(keyword, section.body, 3), 3) == section.body;

@@ -33,11 +33,8 @@ bool same_name(const std::string& was, const std::string& is) {
 
 // Likewise; or the second one is the name that a format without names has for such values.
 bool same_name(const Text& was, const Text& is) {
-  const bool medit = is.format == "medit";
-  return same_name(was.name, is.name) ||
-         (medit && (is.name == "solution" || is.name.starts_with("solution ") ||
-                    (is.name == "references" && was.name == "markers"))) ||
-         (is_of_tetgen(is) && is.name == "markers" && was.name == "references");
+  return same_name(was.name, is.name) || are_words_for_one_tag(was, is) ||
+         (is.format == "medit" && (is.name == "solution" || is.name.starts_with("solution ")));
 }
 
 // Whether nothing stands for 0: a mark that an element has not.
@@ -101,6 +98,11 @@ std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
     without.push_back(of);
   }
   return without;
+}
+
+bool are_words_for_one_tag(const Text& was, const Text& is) {
+  const auto is_word = [](const std::string& name) { return name == "markers" || name == "references"; };
+  return is_word(was.name) && is_word(is.name) && is.item.ends_with(" nodes");
 }
 
 bool comes_in_pieces(const Text& was) {

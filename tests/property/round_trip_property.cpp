@@ -161,6 +161,19 @@ Holding holding(const Target& target, const Document& document) {
   return any ? Holding::elements : Holding::elements_of_nodes;
 }
 
+// What is missing in `after`, except for what a Medit file never said: numbers and the order of its elements.
+// Ghost elements of .msh 4 get entities, without which Gmsh has none.
+std::vector<Difference> said_and_missing(const Document& before, const Document& after, Holding holding) {
+  std::vector<Difference> seen = differences(before, after, holding);
+  if (!before.ghost_elements.empty())
+    std::erase_if(seen, [](const Difference& d) { return d.item == "gained entities of ghost elements"; });
+  if (before.format == "medit")
+    std::erase_if(seen, [](const Difference& d) {
+      return d.item == "numbers of elements" || d.item == "order of elements";
+    });
+  return seen;
+}
+
 class RoundTrip : public testing::TestWithParam<Target> {};
 
 TEST_P(RoundTrip, LosesWhatItSays) {
@@ -177,7 +190,7 @@ TEST_P(RoundTrip, LosesWhatItSays) {
     if (!back.dropped.empty())  // our readers accept everything that our writers write
       RC_FAIL(
           fmt::format("{}: not read: {}: {}", target.name, back.dropped[0].item, back.dropped[0].example));
-    const std::string wrong = disagreement(said, differences(document, back, holding(target, document)));
+    const std::string wrong = disagreement(said, said_and_missing(document, back, holding(target, document)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{}: {}", target.name, wrong));
   }));
 }
@@ -281,16 +294,6 @@ std::vector<Target> targets_with_supplements() {
 INSTANTIATE_TEST_SUITE_P(Formats, KeptAsideProperty, testing::ValuesIn(targets_with_supplements()),
                          [](const auto& test) { return test.param.name; });
 
-// What is missing in `after`, except for what a Medit file never said: numbers and the order of its elements.
-std::vector<Difference> said_and_missing(const Document& before, const Document& after, Holding holding) {
-  std::vector<Difference> seen = differences(before, after, holding);
-  if (before.format == "medit")
-    std::erase_if(seen, [](const Difference& d) {
-      return d.item == "numbers of elements" || d.item == "order of elements";
-    });
-  return seen;
-}
-
 // A -> B -> A: everything in the first A comes back, except for the losses that were listed on the way.
 TEST(RoundTrips, AllPairs) {
   const std::vector<Target> targets = all_targets();
@@ -309,10 +312,11 @@ TEST(RoundTrips, AllPairs) {
     std::string wrong = disagreement(said, said_and_missing(first, second, holding(b, first)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {}: {}", a.name, b.name, wrong));
     const std::vector<Loss> more = losses(a.file, second, a.options);
-    const Document third = there_and_back(folder, second, a);
+    Document third = there_and_back(folder, second, a);
     wrong = disagreement(more, said_and_missing(second, third, holding(a, second)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
     said.insert(said.end(), more.begin(), more.end());
+    third.format = second.format;  // which may have had no names for values
     // An entity of all nodes is not a loss, and may come back with another number.
     const bool one_entity = first.node_blocks.size() == 1;
     // Entities of elements that one format loses come back from the other one as entity 1.
