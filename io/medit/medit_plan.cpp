@@ -107,6 +107,13 @@ const Values* references_of(const Document& document) {
   return node_tags(document, "references");
 }
 
+bool are_of_all_nodes(const Document& document, const Values& values) {
+  if (values.at.empty()) return of_all(values, document.points.size());
+  for (std::size_t i = 0; i < values.at.size(); ++i)
+    if (values.at[i] != static_cast<Index>(i)) return false;
+  return values.at.size() == document.points.size();
+}
+
 // Whether values belong to all elements of a list, each once, in its order.
 bool are_of_list(const Values& values, const std::vector<const ElementBlock*>& blocks) {
   std::size_t count = 0;
@@ -213,7 +220,7 @@ MeditPlan medit_plan(const Document& document) {
   plan.numbers_stay = do_numbers_stay(document);
   plan.references = references_of(document);
   for (const Values& values : document.node_values)
-    if (&values != plan.references && of_all(values, document.points.size()))
+    if (&values != plan.references && are_of_all_nodes(document, values))
       if (const int field = medit_field_of(values, document.points.size()); field != 0)
         plan.fields.emplace_back(&values, field);
   for (const ElementBlock& block : document.blocks) {
@@ -328,8 +335,9 @@ class MeditFilePlan : public FilePlan {
     if (plan_.fields.empty()) return file.commit();
     AtomicFile solution(solution_of(path));
     write_medit_solution(solution, plan_.fields, document_.points.size(), binary_);
+    solution
+        .commit();  // first: a mesh never stands beside the solution of another one that it was written over
     file.commit();
-    solution.commit();
   }
 
  private:

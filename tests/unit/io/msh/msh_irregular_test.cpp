@@ -187,6 +187,15 @@ TEST(MshIrregular, GhostsInAnyOrderGoTo22) {
   ASSERT_EQ(document.ghost_elements.size(), 2u);
   std::swap(document.ghost_elements[0], document.ghost_elements[1]);
   EXPECT_TRUE(kept_aside(files.path("b.msh"), document, {.format = "msh22"}).items.empty());
+  // Binary files of 2.2 have no polygons, and so not their ghosts.
+  document.blocks = {{.type = 34, .dim = 2, .nodes_each = 4, .count = 2, .faces = {}}};
+  document.blocks[0].partitions = static_cast<std::int32_t>(document.tag_sets.size());
+  document.tag_sets.push_back({1});
+  std::string aside;
+  for (const Loss& loss :
+       kept_aside(files.path("b.msh"), document, {.format = "msh22", .binary = true}).items)
+    aside += loss.item + "; ";
+  EXPECT_NE(aside.find("ghost elements"), std::string::npos) << aside;
 }
 
 // Element 1 belongs to partition 1 and is a ghost of 2 and 3, element 2 of the same entity is one of 2,
