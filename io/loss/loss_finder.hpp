@@ -27,7 +27,7 @@ class LossFinder {
   using Written = WrittenPart::Block;
 
   void add(const std::string& item, std::size_t count, const std::string& example, bool elements = false) {
-    add_loss(losses_, item, count, example, elements);
+    losses_.add(item, count, example, elements);
   }
 
   std::string element(const ElementBlock& block, std::size_t e = 0) const {
@@ -47,7 +47,7 @@ class LossFinder {
   const WrittenPart& written_;
 
  private:
-  std::vector<Loss>& losses_;
+  LossList losses_;
 };
 
 /// Elements, nodes, their order, numbers and coordinates.

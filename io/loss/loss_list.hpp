@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "io/document.hpp"
@@ -17,5 +18,16 @@ namespace tetproof::io {
 /// lacks.
 void add_loss(std::vector<Loss>& losses, const std::string& item, std::size_t count,
               const std::string& example, bool elements = false);
+
+/// Adds to a list in the same way, however many items there are.
+class LossList {
+ public:
+  explicit LossList(std::vector<Loss>& losses);
+  void add(const std::string& item, std::size_t count, const std::string& example, bool elements = false);
+
+ private:
+  std::vector<Loss>& losses_;
+  std::unordered_map<std::string, std::size_t> places_;  // of items in losses_
+};
 
 }  // namespace tetproof::io

@@ -85,8 +85,14 @@ class MeshLosses : LossFinder {
     }
   }
 
+  // Medit counts the elements of each kind from 1, and says no order of the kinds.
+  bool has_no_numbers() const {
+    return document_.format == "medit" && document_.element_tags.empty() && document_.first_element == 1;
+  }
+
   // The order changes where the writer puts elements of one kind together.
   void order() {
+    if (has_no_numbers()) return;
     const std::vector<Written>& blocks = written_.blocks();
     for (std::size_t i = 1; i < blocks.size(); ++i)
       if (blocks[i].block < blocks[i - 1].block)
@@ -183,7 +189,7 @@ class MeshLosses : LossFinder {
   }
 
   void element_numbers() {
-    if (holds_.element_tags) return;
+    if (holds_.element_tags || has_no_numbers()) return;
     std::int64_t first = 0, first_in_file = 0;
     bool plain = true;  // they count up from 0 or 1, and so do the file's
     bool same = true;   // they are equal to the file's, which start from 1

@@ -5,6 +5,7 @@
 
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_finder.hpp"
+#include "io/model/tag_words.hpp"
 #include "io/model/values.hpp"
 
 namespace tetproof::io {
@@ -54,7 +55,11 @@ class ValueLosses : LossFinder {
 
   void all_but_numbers(const Values& values, const HeldNumbers& held, Of of, const char* whose) {
     const std::string name = fmt::format("\"{}\"", values.name);
-    if (held.name != values.name)
+    const auto is_tag = [](const std::string& word) {
+      return std::find(node_tag_words.begin(), node_tag_words.end(), word) != node_tag_words.end();
+    };
+    // Words of different tools for the same thing are no names.
+    if (held.name != values.name && !(of == Of::node && is_tag(held.name) && is_tag(values.name)))
       add(fmt::format("names of values of {}", whose), 1, fmt::format("{} becomes \"{}\"", name, held.name));
     if (held.gaps > 0)
       add(fmt::format("gaps in values of {}", whose), held.gaps,

@@ -77,8 +77,12 @@ void MeditContent::take_solutions(MeditContent other) {
   for (std::string& warning : other.document_.warnings) document_.warnings.push_back(std::move(warning));
   for (const Loss& loss : other.document_.dropped)
     drop(loss.item, static_cast<std::size_t>(loss.count), loss.example, loss.elements);
-  for (Section& section : other.document_.sections)
-    drop(fmt::format("keywords of solutions that hold no values: {}", section.name), 1, other.document_.path);
+  const auto drop_keyword = [&](std::string_view name) {
+    drop(fmt::format("keywords of solutions that hold no values: {}", name), 1, other.document_.path);
+  };
+  for (const Section& section : other.document_.sections) drop_keyword(section.name);
+  for (const auto& [mark, numbers] : other.marks_) drop_keyword(mark->name);
+  for (const std::string& name : other.orderings_) drop_keyword(name);
 }
 
 void MeditContent::drop(const std::string& item, std::size_t count, const std::string& example,
@@ -187,6 +191,7 @@ bool MeditContent::take_order(std::string_view name, const std::vector<std::int6
     return false;
   }
   orders_[keyword->element] = std::move(order);
+  orderings_.emplace_back(name);
   return true;
 }
 

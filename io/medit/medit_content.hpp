@@ -78,6 +78,7 @@ class MeditContent {
   std::vector<MeditSolution> solutions_;
   std::vector<std::pair<const MeditMark*, std::vector<std::int64_t>>> marks_;
   std::unordered_map<int, std::vector<int>> orders_;  // of nodes, by type, where the file says one
+  std::vector<std::string> orderings_;                // the keywords that said them
   std::vector<Run> runs_;
   std::unordered_map<std::int64_t, Index> unknown_;
 };

@@ -32,9 +32,16 @@ std::int64_t medit_reference(const Document& document, const ElementBlock& block
 bool are_real_medit_references(const Values& values);
 inline constexpr double largest_medit_real_reference = 9e15;
 
-/// Whether values only mark the nodes (or else elements) that they list, as a keyword does
-/// that the form of file has.
-bool is_medit_mark(const Values& values, bool of_nodes, bool binary);
+/// Values of all elements of a kind, which a keyword such as SolAtTetrahedra stores.
+struct MeditElementFields {
+  std::size_t list = 0;  ///< of the elements, in `MeditPlan::lists`
+  MeditFields fields{};
+};
+
+/// The nodes (or else elements) that values mark, where they do nothing else and the form of file has a
+/// keyword for it: those that they list, or those of which an integer for each is 1 and not 0. None: they
+/// are no marks.
+std::vector<Index> medit_marked(const Document& document, const Values& values, bool of_nodes, bool binary);
 
 /// Whether a section is written. This needs that the reader reads it back as it is.
 bool writes_medit_section(const Section& section, bool binary);
@@ -42,8 +49,9 @@ bool writes_medit_section(const Section& section, bool binary);
 struct MeditPlan {
   /// Whether the numbers in `Document::unknown` still name nothing when nodes and elements count up from 1.
   bool numbers_stay = false;
-  const Values* references = nullptr;  ///< the values that nodes have as references; null: none
-  MeditFields fields{};                ///< the values of vertices that go into a .sol
+  const Values* references = nullptr;                ///< the values that nodes have as references; null: none
+  MeditFields fields{};                              ///< the values of vertices that go into a .sol
+  std::vector<MeditElementFields> element_fields{};  ///< those of elements, which go into the mesh
   /// The blocks under each keyword of `medit_elements()`.
   std::array<std::vector<const ElementBlock*>, 16> lists{};
   /// The positions in `lists` of the keywords that have blocks, in the order of the document: that of a file
@@ -51,6 +59,8 @@ struct MeditPlan {
   std::vector<std::size_t> order{};
 };
 MeditPlan medit_plan(const Document& document);
+/// Returns the reference of a node, where it is an integer; 0: it has none, or a real.
+std::int64_t medit_reference_of(const MeditPlan& plan, std::size_t node);
 Holds medit_holds(const Document& document, const MeditPlan& plan, bool binary);
 
 void write_medit(AtomicFile& file, const Document& document, const MeditPlan& plan, bool binary);

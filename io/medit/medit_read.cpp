@@ -47,7 +47,8 @@ void read_solution_beside(MeditContent& content, const std::string& path) {
 
 Document read_medit(const InputFile& file) {
   const std::string path = file.is_named() ? file.path() : "";
-  const std::vector<std::string> files = medit_files_read(path);
+  // Standard input has no files beside it.
+  const std::vector<std::string> files = path.empty() ? std::vector<std::string>{} : medit_files_read(path);
   MeditContent content(file.path());
   if (!path.empty() && is_medit_solution(path)) {
     if (files.size() < 2)

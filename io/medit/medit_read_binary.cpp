@@ -57,9 +57,14 @@ class Reader {
     } else if (const MeditSolutionKeyword* values = medit_solution_keyword(code_of(code))) {
       name = std::string(values->name);
       solution(*values, end);
-    } else if (code == medit_vertices && part_ == MeditPart::mesh) {
+    } else if (code == medit_vertices) {
       name = "Vertices";
-      vertices(end);
+      if (part_ == MeditPart::mesh) {
+        vertices(end);
+      } else {
+        content_.add_section(nullptr, name, {}, 3);
+        in_.raw(end - start, "a keyword's data");
+      }
     } else {
       const MeditKeyword* known = code_of(code) > 0 ? medit_keyword(code_of(code)) : nullptr;
       name = known ? std::string(known->name) : fmt::format("of code {}", code);

@@ -150,7 +150,7 @@ class Reader {
 
   // Keeps what follows the keyword as it stands, up to a line that begins with a letter.
   void section(const MeditKeyword* known, std::string_view name) {
-    if (!known)
+    if (!known && name != "Vertices")
       content_.warn(fmt::format(":{}: the keyword {} is not known; what follows it is kept as it stands",
                                 in_.line(), name));
     std::size_t begin = in_.offset(), end = begin;

@@ -75,6 +75,12 @@ const MeditSolutionKeyword* medit_solution_keyword(std::string_view name) {
   return nullptr;
 }
 
+const MeditSolutionKeyword* medit_solution_keyword_of(int element) {
+  for (const MeditSolutionKeyword& keyword : keywords)
+    if (keyword.element == element) return &keyword;
+  return nullptr;
+}
+
 std::string medit_field_name(std::size_t k) {
   return k == 0 ? "solution" : fmt::format("solution {}", k + 1);
 }
@@ -110,8 +116,8 @@ std::vector<Values> medit_values(const MeditSolution& solution) {
   return all;
 }
 
-int medit_field_of(const Values& values, std::size_t nodes) {
-  if (!of_all(values, nodes) || values.reals.empty()) return 0;
+int medit_field_of(const Values& values, std::size_t items) {
+  if (!plain_numbers(values, items) || values.reals.empty()) return 0;
   return values.components == 1                           ? 1
          : values.components == 3                         ? 2
          : values.components == 9 && is_symmetric(values) ? 3
@@ -119,9 +125,9 @@ int medit_field_of(const Values& values, std::size_t nodes) {
                                                           : 0;
 }
 
-void add_medit_numbers(const Values& values, int field, std::size_t node, std::vector<double>& numbers) {
+void add_medit_numbers(const Values& values, int field, std::size_t item, std::vector<double>& numbers) {
   const auto each = static_cast<std::size_t>(values.components);
-  const double* from = values.reals.data() + node * each;
+  const double* from = values.reals.data() + item * each;
   if (static_cast<MeditField>(field) == MeditField::symmetric)
     for (const std::size_t place : lower_half) numbers.push_back(from[place]);
   else

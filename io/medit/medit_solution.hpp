@@ -25,6 +25,7 @@ struct MeditSolutionKeyword {
 };
 const MeditSolutionKeyword* medit_solution_keyword(int code);
 const MeditSolutionKeyword* medit_solution_keyword(std::string_view name);
+const MeditSolutionKeyword* medit_solution_keyword_of(int element);
 inline constexpr int medit_sol_at_vertices = 62;
 
 /// What follows such a keyword.
@@ -44,10 +45,10 @@ std::string medit_field_name(std::size_t k);
 std::vector<Values> medit_values(const MeditSolution& solution);
 
 /// The field as which a file of dimension 3 has these values; none (0) if it cannot have them. They must be
-/// reals of all `nodes`. A tensor that is symmetric, bit by bit, is written as such.
-int medit_field_of(const Values& values, std::size_t nodes);
-/// Adds the numbers of one node for such a field.
-void add_medit_numbers(const Values& values, int field, std::size_t node, std::vector<double>& numbers);
+/// reals, one value for each of `items`. A tensor that is symmetric, bit by bit, is written as such.
+int medit_field_of(const Values& values, std::size_t items);
+/// Adds the numbers of one item for such a field.
+void add_medit_numbers(const Values& values, int field, std::size_t item, std::vector<double>& numbers);
 
 /// The files that belong to a mesh (or to a solution) if they exist, the first one before the second. Empty
 /// for a solution (for a file that is none by its ending).

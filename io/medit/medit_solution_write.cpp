@@ -14,28 +14,44 @@
 namespace tetproof::io {
 namespace {
 
-std::vector<double> numbers_of(const MeditFields& fields, std::size_t node) {
+std::vector<double> numbers_of(const MeditFields& fields, std::size_t item) {
   std::vector<double> numbers;
-  for (const auto& [values, field] : fields) add_medit_numbers(*values, field, node, numbers);
+  for (const auto& [values, field] : fields) add_medit_numbers(*values, field, item, numbers);
   return numbers;
 }
 
-void write_text(AtomicFile& file, const MeditFields& fields, std::size_t nodes, std::size_t row) {
+}  // namespace
+
+std::size_t medit_row(const MeditFields& fields) {
+  std::size_t row = 0;
+  for (const auto& [values, field] : fields) row += static_cast<std::size_t>(medit_numbers(field, 3));
+  return row;
+}
+
+void write_medit_numbers(AtomicFile& file, const MeditFields& fields, std::size_t items, bool binary) {
+  const std::size_t longest = medit_row(fields) * (binary ? sizeof(double) : longest_real + 1);
+  write_items(file, items, longest, [&](std::size_t i, char* to) {
+    for (const double number : numbers_of(fields, i))
+      to = binary ? store(to, number, std::endian::native) : put(put(to, number), ' ');
+    if (!binary) to[-1] = '\n';
+    return to;
+  });
+}
+
+namespace {
+
+void write_text(AtomicFile& file, const MeditFields& fields, std::size_t nodes) {
   file.write(
       fmt::format("MeshVersionFormatted 2\n\nDimension 3\n\nSolAtVertices\n{}\n{}", nodes, fields.size()));
   for (const auto& [values, field] : fields) file.write(fmt::format(" {}", field));
   file.write("\n");
-  write_items(file, nodes, row * (longest_real + 1), [&](std::size_t i, char* to) {
-    for (const double number : numbers_of(fields, i)) to = put(put(to, number), ' ');
-    to[-1] = '\n';
-    return to;
-  });
+  write_medit_numbers(file, fields, nodes, false);
   file.write("\nEnd\n");
 }
 
-void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes, std::size_t row) {
+void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes) {
   constexpr std::size_t longest_head = 100;
-  const std::size_t numbers = nodes * row * sizeof(double);
+  const std::size_t numbers = nodes * medit_row(fields) * sizeof(double);
   const bool wide = numbers + longest_head + 4 * fields.size() > std::numeric_limits<std::int32_t>::max();
   std::string bytes;
   const auto integer = [&](auto value) {
@@ -55,10 +71,7 @@ void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes
   integer(static_cast<std::int32_t>(nodes)), integer(static_cast<std::int32_t>(fields.size()));
   for (const auto& [values, field] : fields) integer(std::int32_t{field});
   file.write(bytes);
-  write_items(file, nodes, row * sizeof(double), [&](std::size_t i, char* to) {
-    for (const double number : numbers_of(fields, i)) to = store(to, number, std::endian::native);
-    return to;
-  });
+  write_medit_numbers(file, fields, nodes, true);
   bytes.clear();
   keyword(medit_end, 0);
   file.write(bytes);
@@ -67,9 +80,7 @@ void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes
 }  // namespace
 
 void write_medit_solution(AtomicFile& file, const MeditFields& fields, std::size_t nodes, bool binary) {
-  std::size_t row = 0;
-  for (const auto& [values, field] : fields) row += static_cast<std::size_t>(medit_numbers(field, 3));
-  binary ? write_binary(file, fields, nodes, row) : write_text(file, fields, nodes, row);
+  binary ? write_binary(file, fields, nodes) : write_text(file, fields, nodes);
 }
 
 }  // namespace tetproof::io

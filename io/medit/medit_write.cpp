@@ -12,6 +12,7 @@
 #include "io/bytes/text_output.hpp"
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_plan.hpp"
+#include "io/medit/medit_solution.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 
@@ -30,6 +31,7 @@ class Writer {
       file_.write("MeshVersionFormatted 2\n\nDimension 3\n");
     vertices();
     for (const std::size_t k : plan_.order) elements(*medit_elements()[k], plan_.lists[k]);
+    for (const MeditElementFields& fields : plan_.element_fields) element_fields(fields);
     marks(document_.node_values, true);
     marks(document_.element_values, false);
     std::set<std::string> written;
@@ -43,25 +45,21 @@ class Writer {
   }
 
  private:
-  std::int64_t reference(std::size_t node) const {
-    return plan_.references && !plan_.references->integers.empty() ? plan_.references->integers[node] : 0;
-  }
-
   // Version 2 if everything fits.
   void header() {
     std::int64_t least = 0, most = 0;
     const auto see = [&](std::int64_t value) {
       least = std::min(least, value), most = std::max(most, value);
     };
-    for (std::size_t i = 0; plan_.references && i < plan_.references->integers.size(); ++i)
-      see(plan_.references->integers[i]);
+    for (std::size_t i = 0; i < document_.points.size(); ++i) see(medit_reference_of(plan_, i));
     for (const std::int64_t number : document_.unknown) see(number);
     for (const ElementBlock& block : document_.blocks) see(medit_reference(document_, block));
     std::size_t size = 1000 + 32 * document_.points.size();
     for (const ElementBlock& block : document_.blocks)
       size += block.count * static_cast<std::size_t>(block.nodes_each + 1) * 4;
     for (const auto* values : {&document_.node_values, &document_.element_values})
-      for (const Values& each : *values) size += 4 * each.at.size() + 100;
+      for (const Values& each : *values)
+        size += 4 * each.at.size() + 4 * each.integers.size() + 8 * each.reals.size() + 100;
     for (const Section& section : document_.sections) size += 8 * section.body.size() + 100;
     for (const Section& section : document_.sections)
       if (const MeditKeyword* keyword = medit_keyword(section.name);
@@ -124,10 +122,10 @@ class Writer {
       const Eigen::Vector3d& p = document_.points[i];
       if (binary_) {
         for (int k = 0; k < 3; ++k) to = store(to, p[k], std::endian::native);
-        return put_integer(to, reference(i));
+        return put_integer(to, medit_reference_of(plan_, i));
       }
       for (int k = 0; k < 3; ++k) to = put(put(to, p[k]), ' ');
-      to = reals ? put(to, plan_.references->reals[i]) : put(to, reference(i));
+      to = reals ? put(to, plan_.references->reals[i]) : put(to, medit_reference_of(plan_, i));
       return put(to, '\n');
     });
   }
@@ -167,9 +165,10 @@ class Writer {
   void marks(const std::vector<Values>& all, bool of_nodes) {
     std::set<std::string> written;
     for (const Values& values : all) {
-      if (!is_medit_mark(values, of_nodes, binary_) || !written.insert(values.name).second) continue;
+      const std::vector<Index> marked = medit_marked(document_, values, of_nodes, binary_);
+      if (marked.empty() || !written.insert(values.name).second) continue;
       std::vector<std::int64_t> numbers;
-      for (const Index at : values.at)
+      for (const Index at : marked)
         if (at < 0 && plan_.numbers_stay)
           numbers.push_back(document_.unknown[static_cast<std::size_t>(-1 - at)]);
         else if (at >= 0 && of_nodes)
@@ -183,6 +182,28 @@ class Writer {
       head(keyword, numbers.size(), integer_size());
       lines(numbers, {}, keyword, numbers.size());
     }
+  }
+
+  // Writes the values of all elements of a kind: how many there are, the types of the fields, the numbers.
+  void element_fields(const MeditElementFields& all) {
+    const MeditSolutionKeyword& keyword = *medit_solution_keyword_of(medit_elements()[all.list]->element);
+    const std::size_t count = all.fields.front().first->items();
+    if (binary_) {
+      const std::size_t numbers = count * medit_row(all.fields) * sizeof(double);
+      start(keyword.code, integer_size() + 4 * (1 + all.fields.size()) + numbers);
+      char bytes[8];
+      file_.write(
+          {bytes, static_cast<std::size_t>(put_integer(bytes, static_cast<std::int64_t>(count)) - bytes)});
+      at_ += integer_size();
+      number(static_cast<std::int32_t>(all.fields.size()));
+      for (const auto& [values, field] : all.fields) number(std::int32_t{field});
+      at_ += numbers;
+    } else {
+      file_.write(fmt::format("\n{}\n{}\n{}", keyword.name, count, all.fields.size()));
+      for (const auto& [values, field] : all.fields) file_.write(fmt::format(" {}", field));
+      file_.write("\n");
+    }
+    write_medit_numbers(file_, all.fields, count, binary_);
   }
 
   // Returns the number of an element among those of its keyword, from 1; 0: it is not one of them.

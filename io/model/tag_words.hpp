@@ -31,4 +31,8 @@ inline constexpr std::array tag_words{
     TagWord{"entity", Tag::entity, "tetproof, before it took meshio's word"},
     TagWord{"CellEntityIds", Tag::entity, "Gmsh's .vtk"}};
 
+/// The same of nodes: Medit's references and TetGen's markers, in their own files and in meshio's.
+inline constexpr std::array<std::string_view, 4> node_tag_words{"references", "markers", "medit:ref",
+                                                                "tetgen:ref"};
+
 }  // namespace tetproof::io

@@ -59,15 +59,12 @@ GhostBlocks blocks_with_ghosts(const Document& document) {
   GhostBlocks cut{document.blocks, document.tag_sets};
   if (document.ghost_elements.empty()) return cut;
   std::vector<const GhostElement*> ghost_of(document.elements());
-  Index last = -1;
   for (const GhostElement& ghost : document.ghost_elements) {
     const bool known = ghost.element >= 0 && static_cast<std::size_t>(ghost.element) < ghost_of.size();
     const bool written =
         known && !ghost_of[static_cast<std::size_t>(ghost.element)] && !ghost.ghosts.empty() &&
         std::none_of(ghost.ghosts.begin(), ghost.ghosts.end(), [](std::int64_t p) { return p <= 0; });
-    // Ghosts come back in the order of the elements.
-    cut.complete = cut.complete && written && ghost.element > last;
-    last = ghost.element;
+    cut.complete = cut.complete && written;
     if (written) ghost_of[static_cast<std::size_t>(ghost.element)] = &ghost;
   }
   cut.blocks.clear();

@@ -86,8 +86,8 @@ void read_block(Numbers& in, bool v40, std::size_t count, int each, Document& do
 }
 
 // What the first line of $Nodes or $Elements announces: the number of blocks and of nodes or elements in all
-// of them. The blocks have numbers of their own, and Gmsh goes by these. In text the end of the section shows
-// where the blocks end; in binary only their number does.
+// of them. As in Gmsh the number of blocks holds, and each block has a count of its own; the total means
+// nothing.
 class Announced {
  public:
   Announced(Numbers& in, const char* of, Document& document)
@@ -103,18 +103,21 @@ class Announced {
     return std::min(static_cast<std::size_t>(total_), in_.remaining() / bytes_each + 1);
   }
   bool next_block() {
-    if (in_.binary() ? found_ == blocks_ : in_.at_section_end(found_ < blocks_)) return false;
+    if (found_ == blocks_) return false;
+    if (!in_.binary() && in_.at_section_end())
+      in_.fail(fmt::format("expected {} of {}, found {} and the end of {}", counted(blocks_, "blocks"), of_,
+                           found_, in_.remaining() == 0 ? "the file" : "the section"));
     ++found_;
     return true;
   }
   void compare(std::size_t total) {
-    if (found_ == blocks_ && static_cast<std::size_t>(total_) == total) return;
+    if (static_cast<std::size_t>(total_) == total) return;
     const std::string place =
         in_.binary() ? fmt::format("byte {}", place_) : fmt::format("{}", in_.line(place_));
-    document_.warnings.push_back(fmt::format(
-        "{}:{}{}: {} in {} {} announced, and {} in {} {} there", document_.path, in_.binary() ? " " : "",
-        place, counted(total_, of_), counted(blocks_, "blocks"), total_ == 1 ? "is" : "are",
-        counted(total, of_), counted(found_, "blocks"), total == 1 ? "is" : "are"));
+    document_.warnings.push_back(fmt::format("{}:{}{}: {} {} announced, and {} {} in the {}", document_.path,
+                                             in_.binary() ? " " : "", place, counted(total_, of_),
+                                             total_ == 1 ? "is" : "are", counted(total, of_),
+                                             total == 1 ? "is" : "are", counted(blocks_, "blocks")));
   }
 
  private:

@@ -27,10 +27,9 @@ std::int32_t Numbers::words_in_line() const {
   return words;
 }
 
-bool Numbers::at_section_end(bool due) {
+bool Numbers::at_section_end() {
   skip_blanks();
-  if (at_ == bytes_.size() || bytes_[at_] == '$') return true;
-  return !due && bytes_[at_] != '-' && (bytes_[at_] < '0' || bytes_[at_] > '9');
+  return at_ == bytes_.size() || bytes_[at_] == '$';
 }
 
 std::int64_t Numbers::line(std::size_t offset) const {

@@ -147,6 +147,19 @@ void hold_data(const Document& document, const MshTags& tags, const std::string&
   };
 }
 
+// Whether all ghost elements are of a type that is written.
+bool ghosts_are_written(const Document& document, const Holds& holds) {
+  if (document.ghost_elements.empty()) return true;
+  std::vector<bool> written(document.elements(), true);
+  for (const ElementBlock& block : document.blocks)
+    if (holds.nodes_each(block) == 0)
+      std::fill_n(written.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, false);
+  return std::all_of(document.ghost_elements.begin(), document.ghost_elements.end(), [&](const auto& ghost) {
+    return ghost.element >= 0 && static_cast<std::size_t>(ghost.element) < written.size() &&
+           written[static_cast<std::size_t>(ghost.element)];
+  });
+}
+
 }  // namespace
 
 Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool ghosts, bool binary) {
@@ -183,7 +196,7 @@ Holds msh22_holds(const Document& document, const Msh22Limits& limits, bool ghos
                                               block.parameters_each == block.dim);
       });
   hold_data(document, {&document, limits.renumber, limits.first_unknown}, "msh22", binary, holds);
-  holds.ghosts = ghosts;
+  holds.ghosts = ghosts && ghosts_are_written(document, holds);
   return holds;
 }
 

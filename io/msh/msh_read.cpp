@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "io/bytes/checksum.hpp"
 #include "io/bytes/scanner.hpp"
@@ -12,6 +13,9 @@
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
+#include "io/model/groups_of_values.hpp"
+#include "io/model/tag_words.hpp"
+#include "io/model/values.hpp"
 #include "io/msh/msh.hpp"
 #include "io/msh/msh22_ghosts.hpp"
 #include "io/msh/msh_data.hpp"
@@ -23,14 +27,15 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(const InputFile& file) : file_(file), in_(file), sets_(document_) {
+  explicit Reader(const InputFile& file)
+      : file_(file), end_of_text_(end_of_text(file.bytes())), in_(file), sets_(document_) {
     document_.path = file.path();
   }
 
   Document read() {
     while (!in_.at_end()) {
       const std::size_t start = in_.offset();
-      if (start >= end_of_text(file_.bytes())) {
+      if (start >= end_of_text_) {
         document_.warnings.push_back(warning_of_end(file_));
         break;
       }
@@ -109,11 +114,21 @@ class Reader {
 
   void end(const std::string& name) {
     const std::string end = (name == "NOD" || name == "NOE" || name == "ELM" ? "$END" : "$End") + name;
+    drop_rows(name);
     const std::string_view word = in_.word();
     if (word == end) return;
     if (!is_data(name) || !word.starts_with("$End")) in_.fail(end, word);
     document_.warnings.push_back(
         fmt::format("{}:{}: section ${} ends with {}", file_.path(), in_.line(), name, word));
+  }
+
+  // Gmsh passes over lines behind those that a section announces.
+  void drop_rows(const std::string& name) {
+    if (format_.binary || !in_.at_line_end()) return;
+    const bool elements = name == "Elements" || name == "ELM";
+    for (; !in_.at_end() && in_.peek_byte() != '$'; in_.next_line())
+      add_loss(document_.dropped, fmt::format("lines of ${} behind those that it announces", name), 1,
+               fmt::format("line {}", in_.line()), elements);
   }
 
   static bool is_data(const std::string& name) {
@@ -234,10 +249,28 @@ class Reader {
     if (!data_.empty()) {
       if (!index_) index_.emplace(document_);
       data_.look_up(document_, *index_, copies_);
+      if (supplement_.empty()) take_groups_from_data();  // a supplement names the values of the file
     }
     // Our own writer repeats an element for each of its groups. That is no oddity in a file with our
     // supplement.
     warn_of_oddities(document_, supplement_.empty() ? copies_ : std::vector<ElementTag>{});
+  }
+
+  // meshio writes the references of Medit and the attributes of TetGen as data. Words without a colon may be
+  // anybody's data.
+  void take_groups_from_data() {
+    for (const TagWord& word : tag_words) {
+      if (word.tag != Tag::group || word.word.find(':') == word.word.npos) continue;
+      const auto found =
+          std::find_if(document_.element_values.begin(), document_.element_values.end(),
+                       [&](const Values& values) { return values.name == word.word && !has_step(values); });
+      if (found == document_.element_values.end()) continue;
+      const auto place = found - document_.element_values.begin();
+      const std::size_t before = document_.element_values.size();
+      const bool of_view = std::exchange(found->of_view, false);
+      make_groups_of_values(document_, std::string(word.word));
+      if (document_.element_values.size() == before) document_.element_values[place].of_view = of_view;
+    }
   }
 
   // Looks up nodes again: the elements stood before their nodes.
@@ -255,6 +288,7 @@ class Reader {
   void go_to(std::size_t offset) { in_ = Scanner(file_.path(), file_.bytes(), offset); }
 
   const InputFile& file_;
+  const std::size_t end_of_text_;
   Scanner in_;
   Document document_;
   TagSets sets_;

@@ -55,9 +55,8 @@ class Numbers {
     while (at_ < bytes_.size() && is_blank(bytes_[at_])) ++at_;
   }
 
-  /// Whether the next word of a text is the end of its section or of the file. A word that cannot begin a row
-  /// of numbers is such an end too, unless a row is `due`.
-  bool at_section_end(bool due);
+  /// Whether the next word of a text is the end of its section or of the file.
+  bool at_section_end();
   std::int64_t line(std::size_t offset) const;  ///< the line of a text at this byte
 
   /// The number of words left in this line of text.

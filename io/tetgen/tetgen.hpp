@@ -22,7 +22,9 @@
 //
 // Attributes of tetrahedra and markers of triangles, lines and polygons that are tags become physical groups
 // (io/model/groups_of_values.hpp), and groups are written as attributes and markers: the first of each
-// element, 0 for none. Negative markers, as TetGen 1.6 gives to what has none, stay values of their elements.
+// element, 0 for none. Negative markers, as TetGen 1.6 gives to what has none, stay values of their elements;
+// they are written beside the groups, and any other values of that name are not. Markers of nodes are written
+// from what other tools call so, too (io/model/node_tags.hpp).
 //
 // Values belong to the elements of one file, and `first` is the first of them. Integers that are numbers of
 // elements are kept as in the file, counted from its first number.

@@ -2,6 +2,7 @@
 #include "io/tetgen/tetgen_plan.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "io/model/element_types.hpp"
 #include "io/tetgen/tetgen_node_order.hpp"
@@ -65,6 +66,13 @@ std::int64_t TetgenPlan::number(const Document& document, Index node) const {
 std::int64_t first_group(const Document& document, const ElementBlock& block) {
   const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
   return groups.empty() ? 0 : groups[0];
+}
+
+std::int64_t TetgenTags::group_of(const Document& document, const ElementBlock& block,
+                                  std::size_t element) const {
+  const std::pair least{static_cast<Index>(element), std::numeric_limits<std::int64_t>::min()};
+  const auto place = others.empty() ? others.end() : std::lower_bound(others.begin(), others.end(), least);
+  return place != others.end() && place->first == least.first ? place->second : first_group(document, block);
 }
 
 TetgenPlan tetgen_mesh_plan(const Document& document) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "io/document.hpp"
@@ -19,12 +20,16 @@ struct TetgenList {
 };
 
 /// The column of attributes or markers behind the elements of a list: `values` of all of them; or else, if
-/// `groups`, the first physical group of each (0: none), and of elements without a group the `others`,
-/// negative numbers, that some of them have.
+/// `groups`, the first physical group of each (0: none), and the `others`, negative numbers that some
+/// elements without a group have.
 struct TetgenTags {
   const Values* values = nullptr;
   bool groups = false;
-  const Values* others = nullptr;
+  std::vector<std::pair<Index, std::int64_t>> others{};  ///< elements and their numbers, ascending
+  const Values* of_others = nullptr;                     ///< the values that have these numbers
+
+  /// Returns the number in the column of an element of this block, if `groups`.
+  std::int64_t group_of(const Document&, const ElementBlock&, std::size_t element) const;
 };
 
 /// Values are null where there are none that the file has a place for.

@@ -2,9 +2,13 @@
 #include "io/tetgen/tetgen_plan_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "io/model/groups_of_values.hpp"
+#include "io/model/node_tags.hpp"
 #include "io/model/values.hpp"
 
 namespace tetproof::io {
@@ -43,23 +47,60 @@ bool touches(const Values& values, const TetgenList& list) {
          in_list(static_cast<std::size_t>(*least), static_cast<std::size_t>(*most - *least) + 1);
 }
 
-// Whether values are negative numbers of elements of the list that have no groups.
-bool are_others(const Document& document, const Values& values, const TetgenList& list) {
-  if (values.components != 1 || values.at.empty() || values.at.size() != values.integers.size() ||
-      !values.labels.empty() || has_step(values) || values.of_view ||
-      std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t i) { return i >= 0; }))
-    return false;
-  auto at = values.at.begin();
-  for (const ElementBlock* block : list.blocks) {
-    const auto first = static_cast<std::int64_t>(block->first),
-               end = first + static_cast<std::int64_t>(block->count);
-    const bool grouped = !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
-    for (std::int64_t last = first - 1; at != values.at.end() && *at > last && *at < end; ++at) {
-      if (grouped) return false;
-      last = *at;
-    }
+// The number that value k is. None: it is no whole number of 32 bits.
+std::optional<std::int64_t> whole_number(const Values& values, std::size_t k) {
+  constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
+  if (values.reals.empty()) return values.integers[k];
+  const double real = values.reals[k];
+  if (!(real >= static_cast<double>(least) && real <= -static_cast<double>(least)) ||
+      real != std::trunc(real))
+    return std::nullopt;
+  return static_cast<std::int64_t>(real);
+}
+
+// The negative numbers that elements of the list have, where these have no groups; 0 is no number. None: the
+// values say something else too of elements of the list.
+std::optional<std::vector<std::pair<Index, std::int64_t>>> others_of(const Document& document,
+                                                                     const Values& values,
+                                                                     const TetgenList& list) {
+  if (values.components != 1 || !plain_numbers(values, values.items())) return std::nullopt;
+  std::vector<std::pair<Index, std::int64_t>> others;
+  for (std::size_t k = 0; k < values.items(); ++k) {
+    const Index element = values.at.empty() ? static_cast<Index>(values.first + k) : values.at[k];
+    const auto behind = std::upper_bound(
+        list.blocks.begin(), list.blocks.end(), static_cast<std::int64_t>(element),
+        [](std::int64_t e, const ElementBlock* b) { return e < static_cast<std::int64_t>(b->first); });
+    if (behind == list.blocks.begin()) continue;
+    const ElementBlock& block = **(behind - 1);
+    if (static_cast<std::size_t>(element) >= block.first + block.count) continue;
+    const auto number = whole_number(values, k);
+    if (!number || *number > 0 ||
+        (*number < 0 && !document.tag_sets[static_cast<std::size_t>(block.groups)].empty()))
+      return std::nullopt;
+    if (*number < 0) others.emplace_back(element, *number);
   }
-  return at == values.at.end();
+  std::sort(others.begin(), others.end());
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  if (std::adjacent_find(others.begin(), others.end(), same) != others.end()) return std::nullopt;
+  return others;
+}
+
+// Whether the others come back as these values: integers of these elements, in ascending order.
+bool come_back(const TetgenTags& tags) {
+  const Values& values = *tags.of_others;
+  return !values.of_view && !values.integers.empty() && values.at.size() == tags.others.size() &&
+         std::equal(values.at.begin(), values.at.end(), tags.others.begin(),
+                    [](Index at, const auto& other) { return at == other.first; });
+}
+
+// Whether each number of some values, except 0, is in one of the columns.
+bool are_in_columns(const Values& values, const std::vector<const TetgenTags*>& all) {
+  std::size_t written = 0, numbers = 0;
+  for (const TetgenTags* tags : all)
+    if (tags->of_others == &values) written += tags->others.size();
+  for (std::size_t k = 0; k < values.size(); ++k)
+    numbers += values.reals.empty() ? values.integers[k] != 0 : values.reals[k] != 0;
+  return written > 0 && written == numbers;
 }
 
 }  // namespace
@@ -108,9 +149,11 @@ TetgenTags tags_of(const Document& document, const TetgenList& list, const char*
   for (const ElementBlock* block : list.blocks)
     tags.groups |= !document.tag_sets[static_cast<std::size_t>(block->groups)].empty();
   for (const Values& values : document.element_values) {
-    if (values.name != name || !touches(values, list)) continue;
-    if (!tags.groups || tags.others || !are_others(document, values, list)) return {};
-    tags.others = &values;
+    if (!tags.groups || values.name != name || tags.of_others || !touches(values, list)) continue;
+    auto others = others_of(document, values, list);
+    if (!others || others->empty()) continue;  // such values are kept aside
+    tags.others = std::move(*others);
+    tags.of_others = &values;
   }
   return tags;
 }
@@ -126,7 +169,7 @@ TetgenPlan plan_of_nodes(const Document& document) {
   plan.renumber_nodes = !document.node_tags.empty() || (document.first_node != 0 && document.first_node != 1);
   plan.base = plan.renumber_nodes ? 1 : document.first_node;
   plan.attributes = node_values(document, "attributes", true, 0);
-  plan.markers = node_values(document, "markers", false, 1);
+  plan.markers = node_tags(document, "markers");
   plan.sizes = node_values(document, "sizes", true, 0);
   if (plan.sizes && plan.sizes->components != 1 && plan.sizes->components != 3 && plan.sizes->components != 6)
     plan.sizes = nullptr;
@@ -139,8 +182,8 @@ void plan_edge_values(const Document& document, TetgenPlan& plan) {
   plan.edge_tets = values_of(document, plan.edges, "neighbours", false, 1);
   // Values with the same name are told apart by their order, and those of edges are read last.
   const TetgenTags& before = plan.plc ? plan.facet_tags : plan.face_tags;
-  for (const Values* values : {before.values, before.others})
-    if (const Values* mine = plan.edge_tags.values ? plan.edge_tags.values : plan.edge_tags.others;
+  for (const Values* values : {before.values, before.of_others})
+    if (const Values* mine = plan.edge_tags.values ? plan.edge_tags.values : plan.edge_tags.of_others;
         values && mine && mine < values)
       plan.edge_tags = {};
 }
@@ -158,14 +201,29 @@ Holds tetgen_holds_of_values(const Document& document, const TetgenPlan& plan) {
   std::vector<const Values*> held{plan.attributes, plan.markers,   plan.sizes,     plan.volume_bounds,
                                   plan.neighbours, plan.tet_faces, plan.tet_edges, plan.face_tets,
                                   plan.face_edges, plan.edge_tets};
-  for (const TetgenTags& tags : {plan.tet_tags, plan.face_tags, plan.edge_tags, plan.facet_tags}) {
+  std::vector<const Values*> in_columns;
+  const std::vector<const TetgenTags*> all_tags{&plan.tet_tags, &plan.face_tags, &plan.edge_tags,
+                                                &plan.facet_tags};
+  for (const TetgenTags* tags : all_tags) {
     // Values that our reader takes for groups do not come back as values.
-    if (tags.values && !are_tags(*tags.values)) held.push_back(tags.values);
-    held.push_back(tags.others);
+    if (tags->values && !are_tags(*tags->values)) held.push_back(tags->values);
+    if (!tags->of_others) continue;
+    if (come_back(*tags))
+      held.push_back(tags->of_others);
+    else if (are_in_columns(*tags->of_others, all_tags))
+      in_columns.push_back(tags->of_others);
   }
   held.erase(std::remove(held.begin(), held.end(), nullptr), held.end());
-  holds.values = [held](const Values& values, Of of) {
-    return of != Of::element_node && std::find(held.begin(), held.end(), &values) != held.end();
+  holds.values = [held, markers = plan.markers](const Values& values, Of of) {
+    return of != Of::element_node && std::find(held.begin(), held.end(), &values) != held.end() &&
+           (&values != markers || values.name == "markers");
+  };
+  // Other tools' words for markers do not come back.
+  holds.numbers = [markers = plan.markers, in_columns](const Values& values,
+                                                       Of of) -> std::optional<HeldNumbers> {
+    if (of == Of::node && &values == markers) return HeldNumbers{.name = "markers"};
+    if (std::find(in_columns.begin(), in_columns.end(), &values) == in_columns.end()) return std::nullopt;
+    return HeldNumbers{.name = values.name};
   };
   return holds;
 }

@@ -34,13 +34,9 @@ std::vector<std::int64_t> numbers_of(const Document& document, const TetgenList&
   if (tags.values) return tags.values->integers;
   std::vector<std::int64_t> numbers;
   if (!tags.groups) return numbers;
-  std::size_t others = 0;
   for (const ElementBlock* block : list.blocks)
-    for (std::size_t e = block->first; e < block->first + block->count; ++e) {
-      const bool other =
-          tags.others && others < tags.others->at.size() && tags.others->at[others] == static_cast<Index>(e);
-      numbers.push_back(other ? tags.others->integers[others++] : first_group(document, *block));
-    }
+    for (std::size_t e = block->first; e < block->first + block->count; ++e)
+      numbers.push_back(tags.group_of(document, *block, e));
   return numbers;
 }
 

@@ -51,14 +51,7 @@ inline std::size_t columns(const TetgenTags& tags) {
 inline char* put_tags(char* to, const TetgenTags& tags, const Document& document, const ElementBlock& block,
                       std::size_t i, std::size_t item) {
   if (!tags.groups) return put_values(to, tags.values, item);
-  if (tags.others && document.tag_sets[static_cast<std::size_t>(block.groups)].empty()) {
-    const auto& at = tags.others->at;
-    const auto element = static_cast<Index>(block.first + i);
-    const auto place = std::lower_bound(at.begin(), at.end(), element);
-    if (place != at.end() && *place == element)
-      return put(put(to, ' '), tags.others->integers[static_cast<std::size_t>(place - at.begin())]);
-  }
-  return put(put(to, ' '), first_group(document, block));
+  return put(put(to, ' '), tags.group_of(document, block, block.first + i));
 }
 
 /// Writes "COUNT 3 ATTRIBUTES MARKERS" and a line for each node, as in .node and .poly.

@@ -136,6 +136,10 @@ TEST_F(Verify, AMeshWithNumbersBehindTheLastSectionIsIncomplete) {
   EXPECT_EQ(more.exit_code, 4) << more;
   EXPECT_THAT(more.out, HasSubstr("; not judged: 48 bytes behind the last section, check unused-point\n"
                                   "unjudged  48 bytes behind the last section: not read: byte "));
+  std::string row = sections;
+  row.insert(row.rfind("$End"), "2 4 2 1 1 1 3 2 4\n");  // of which the section says nothing
+  files.write("row.msh", row);
+  EXPECT_EQ(run({"row.msh"}).exit_code, 4);
   files.write("text.msh", sections + "by hand\n");
   EXPECT_EQ(run({"text.msh"}).exit_code, 0);
 }

@@ -16,6 +16,7 @@ struct Text {
   std::int64_t count = 1;  ///< how much the list of losses counts for it
   std::string item;        ///< the name of its loss
   bool gone = false;       ///< it belonged to nodes or elements that are lost
+  std::string format{};    ///< of the file that the document was read from
 
   /// Its lines: values by node or element, columns of a table, or the title.
   struct Line {

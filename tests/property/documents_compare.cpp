@@ -212,6 +212,7 @@ class Comparison {
   }
 
   void texts(std::vector<Text> was, std::vector<Text> is) {
+    for (Text& text : is) text.format = after_.format;
     compare_texts(std::move(was), std::move(is), differences_, renumbered_unknown_);
   }
 

@@ -21,16 +21,29 @@ std::string plain(const std::string& text) {
   return out;
 }
 
-// Whether the names are equal, or the second one is "name #2" because the name was taken, or one that the
-// reader of Medit's files gives, which have no names.
+bool is_of_tetgen(const Text& text) {
+  return text.format == "tetgen" || text.format == "poly" || text.format == "smesh";
+}
+
+// Whether the names are equal, or the second one is "name #2" because the name was taken.
 bool same_name(const std::string& was, const std::string& is) {
-  if (is == "solution" || is.starts_with("solution ")) return true;
   const std::size_t mark = is.rfind(" #");
   return plain(was) == plain(is) || (mark != std::string::npos && plain(was) == plain(is.substr(0, mark)));
 }
 
+// Likewise; or the second one is the name that a format without names has for such values.
+bool same_name(const Text& was, const Text& is) {
+  return same_name(was.name, is.name) || are_words_for_one_tag(was, is) ||
+         (is.format == "medit" && (is.name == "solution" || is.name.starts_with("solution ")));
+}
+
+// Whether nothing stands for 0: a mark that an element has not.
+bool has_no_zeros(const Text& is) {
+  return is_of_tetgen(is) && is.name == "markers" && is.item.ends_with(" elements");
+}
+
 bool values(const Text& was, const Text& is) {
-  if (was.components != is.components || !same_name(was.name, is.name)) return false;
+  if (was.components != is.components || !same_name(was, is)) return false;
   return std::all_of(is.lines.begin(), is.lines.end(), [&](const Text::Line& line) {
     bool known = false, same = false;
     for (const Text::Line& old : was.lines) {
@@ -64,7 +77,7 @@ bool is_remnant(const Text& was, const Text& is) {
 
 std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
   if (!was.item.starts_with("values ") || kind_of(was) != kind_of(is) || was.gone ||
-      was.components != is.components || was.kind != is.kind || !same_name(was.name, is.name))
+      was.components != is.components || was.kind != is.kind || !same_name(was, is))
     return std::nullopt;
   std::multimap<std::string, const Text::Line*> left;
   for (const Text::Line& line : is.lines) left.emplace(line.of, &line);
@@ -72,6 +85,7 @@ std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
     const auto [from, to] = left.equal_range(line.of);
     const auto found =
         std::find_if(from, to, [&](const auto& other) { return other.second->content == line.content; });
+    if (found == to && line.empty && has_no_zeros(is)) continue;
     if (found == to) return std::nullopt;
     left.erase(found);
   }
@@ -84,6 +98,11 @@ std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is) {
     without.push_back(of);
   }
   return without;
+}
+
+bool are_words_for_one_tag(const Text& was, const Text& is) {
+  const auto is_word = [](const std::string& name) { return name == "markers" || name == "references"; };
+  return is_word(was.name) && is_word(is.name) && is.item.ends_with(" nodes");
 }
 
 bool comes_in_pieces(const Text& was) {

@@ -19,6 +19,9 @@ bool is_remnant(const Text& was, const Text& is);
 /// elements that had no value and have NaN or 0 now.
 std::optional<std::vector<std::string>> gaps(const Text& was, const Text& is);
 
+/// Whether these are values of nodes under the words that TetGen and Medit have for the same number.
+bool are_words_for_one_tag(const Text& was, const Text& is);
+
 /// Whether several parts that came back may be remnants of this one.
 bool comes_in_pieces(const Text& was);
 

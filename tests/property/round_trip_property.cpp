@@ -160,6 +160,19 @@ Holding holding(const Target& target, const Document& document) {
   return any ? Holding::elements : Holding::elements_of_nodes;
 }
 
+// What is missing in `after`, except for what a Medit file never said: numbers and the order of its elements.
+// Ghost elements of .msh 4 get entities, without which Gmsh has none.
+std::vector<Difference> said_and_missing(const Document& before, const Document& after, Holding holding) {
+  std::vector<Difference> seen = differences(before, after, holding);
+  if (!before.ghost_elements.empty())
+    std::erase_if(seen, [](const Difference& d) { return d.item == "gained entities of ghost elements"; });
+  if (before.format == "medit")
+    std::erase_if(seen, [](const Difference& d) {
+      return d.item == "numbers of elements" || d.item == "order of elements";
+    });
+  return seen;
+}
+
 class RoundTrip : public testing::TestWithParam<Target> {};
 
 TEST_P(RoundTrip, LosesWhatItSays) {
@@ -176,7 +189,7 @@ TEST_P(RoundTrip, LosesWhatItSays) {
     if (!back.dropped.empty())  // our readers accept everything that our writers write
       RC_FAIL(
           fmt::format("{}: not read: {}: {}", target.name, back.dropped[0].item, back.dropped[0].example));
-    const std::string wrong = disagreement(said, differences(document, back, holding(target, document)));
+    const std::string wrong = disagreement(said, said_and_missing(document, back, holding(target, document)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{}: {}", target.name, wrong));
   }));
 }
@@ -295,13 +308,14 @@ TEST(RoundTrips, AllPairs) {
     const Document first = there_and_back(folder, document, a);
     std::vector<Loss> said = losses(b.file, first, b.options);
     const Document second = there_and_back(folder, first, b);
-    std::string wrong = disagreement(said, differences(first, second, holding(b, first)));
+    std::string wrong = disagreement(said, said_and_missing(first, second, holding(b, first)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {}: {}", a.name, b.name, wrong));
     const std::vector<Loss> more = losses(a.file, second, a.options);
-    const Document third = there_and_back(folder, second, a);
-    wrong = disagreement(more, differences(second, third, holding(a, second)));
+    Document third = there_and_back(folder, second, a);
+    wrong = disagreement(more, said_and_missing(second, third, holding(a, second)));
     if (!wrong.empty()) RC_FAIL(fmt::format("{} -> {} -> {}: {}", a.name, b.name, a.name, wrong));
     said.insert(said.end(), more.begin(), more.end());
+    third.format = second.format;  // which may have had no names for values
     // An entity of all nodes is not a loss, and may come back with another number.
     const bool one_entity = first.node_blocks.size() == 1;
     // Entities of elements that one format loses come back from the other one as entity 1.
@@ -313,8 +327,10 @@ TEST(RoundTrips, AllPairs) {
       return d.element_tags.empty() && (d.first_element == 0 || d.first_element == 1);
     };
     const bool numbers_say_nothing = plain(second) && plain(third);
-    for (const Difference& d : differences(first, third, std::max(holding(b, first), holding(a, second))))
-      if (!d.unsure && !(one_entity && d.item == "entities of nodes") &&
+    for (const Difference& d :
+         said_and_missing(first, third, std::max(holding(b, first), holding(a, second))))
+      if (!d.unsure && !(second.format == "medit" && d.item == "order of elements") &&
+          !(one_entity && d.item == "entities of nodes") &&
           !(numbers_say_nothing && d.item == "numbers of elements") &&
           std::none_of(said.begin(), said.end(), [&](const Loss& loss) { return tells(loss, d); }))
         RC_FAIL(fmt::format("{} -> {} -> {}: not said: {} ({}): {}", a.name, b.name, a.name, d.item, d.count,

@@ -63,7 +63,7 @@ void compare_texts(std::vector<Text> was, std::vector<Text> is, DifferenceList& 
         std::find_if(is.begin(), is.end(), [&](const Text& t) { return gaps(text, t).has_value(); });
     if (found == is.end()) return false;
     const std::string whose = text.item.substr(text.item.rfind('"') + 2);
-    if (text.name != found->name)
+    if (text.name != found->name && !are_words_for_one_tag(text, *found))
       differences.add_one("names of values " + whose,
                           fmt::format("\"{}\" becomes \"{}\"", text.name, found->name));
     if (text.labels != found->labels)

@@ -129,7 +129,7 @@ const std::vector<Case> cases{
      "a.msh:14: expected the tag of a node, found '$EndElements'"},
     {"Msh41LongerThanItsLine",
      {{"a.msh", v41 + one41 + "$Elements\n1 1 1 1\n0 1 15 1\n1 1 1\n$EndElements\n"}},
-     "a.msh:14: expected the tag of an entity, found '$EndElements'"},
+     "a.msh:13: expected $EndElements, found '1'"},
     {"Msh41UnknownTypeWithoutNodes",
      {{"a.msh", v41 + one41 + "$Elements\n1 1 1 1\n0 1 999 1\n1\n$EndElements\n"}},
      "a.msh:13: expected an element of type 999: its tag and its nodes"},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -200,6 +201,20 @@ TEST(StandardInputs, AreReadByContentOrByTheOption) {
     const StandardInput input(cube("." + format), true);
     EXPECT_EQ(read_surface("-", {.format = format}).triangles.size(), 12u);
   }
+}
+
+// Not even files without a name.
+TEST(StandardInputs, HaveNoFilesBesideThem) {
+  const test::TestFiles files;
+  const std::string head = "MeshVersionFormatted 2\nDimension 3\n";
+  files.write(".sol", head + "SolAtVertices 1 1 1\n7\nEnd\n");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(std::filesystem::path(files.path(".sol")).parent_path());
+  const StandardInput input(head + "Vertices 1\n0 0 0 0\nEnd\n", true);
+  const Document document = read_document("-");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(document.points.size(), 1u);
+  EXPECT_TRUE(document.node_values.empty());
 }
 
 TEST(StandardInputs, HaveOneLineForWhatIsWrong) {

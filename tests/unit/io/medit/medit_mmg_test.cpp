@@ -121,5 +121,61 @@ TEST(MeditMarks, NameElementsOfTheirKind) {
             "v elements Ridges 1 at 7: 1\nv elements ParallelTriangles 1 at 5: 1\n");
 }
 
+// VTK's files have arrays for all nodes and all elements.
+TEST(MeditMarks, AreWrittenFromArraysOfOnes) {
+  const test::TestFiles files;
+  Document document =
+      read_document(files.write("a.mesh", head + vertices + tetrahedra + triangles + edges + "End\n"));
+  document.node_values = {{.name = "Corners", .integers = {1, 0, 0, 0, 1}}};
+  document.element_values = {{.name = "Ridges", .integers = {0, 0, 0, 0, 0, 0, 1}},
+                             {.name = "RequiredTriangles", .integers = {0, 0, 0, 1, 1, 0, 0}},
+                             {.name = "RequiredEdges", .integers = {1, 0, 0, 0, 0, 0, 1}},
+                             {.name = "ParallelEdges", .integers = {0, 0, 0, 0, 0, 0, 2}}};
+  std::string lost;
+  for (const Loss& loss : losses(files.path("b.mesh"), document)) lost += loss.item + "; ";
+  EXPECT_EQ(lost, "values \"RequiredEdges\" of elements; values \"ParallelEdges\" of elements; ");
+  document.element_values.resize(2);
+  for (const char* name : {"b.mesh", "b.meshb"}) {
+    EXPECT_TRUE(losses(files.path(name), document).empty()) << name;
+    write_document(files.path(name), document);
+    const std::string text = test::text_of(read_document(files.path(name)), false);
+    EXPECT_EQ(text.substr(text.find("v ")),
+              "v nodes Corners 1 at 1 5: 1 1\nv elements Ridges 1 at 7: 1\nv elements RequiredTriangles 1 at "
+              "4 5: 1 1\n");
+  }
+}
+
+// Words of other tools for the one number of a node.
+TEST(MeditReferences, FromMarkers) {
+  const test::TestFiles files;
+  Document document = read_document(files.write("a.mesh", head + vertices + "End\n"));
+  const std::string references = test::text_of(document, false);
+  ASSERT_EQ(document.node_values.size(), 1u);
+  for (const char* word : {"markers", "tetgen:ref", "medit:ref"})
+    for (const bool real : {false, true}) {
+      Values& values = document.node_values[0];
+      values = {.name = word};
+      if (real)
+        values.reals = {0, 1, 0, 4, 0};
+      else
+        values.integers = {0, 1, 0, 4, 0};
+      for (const char* name : {"b.mesh", "b.meshb"}) {
+        EXPECT_TRUE(losses(files.path(name), document).empty()) << name << " " << word;
+        write_document(files.path(name), document);
+        EXPECT_EQ(test::text_of(read_document(files.path(name)), false), references) << name;
+      }
+    }
+}
+
+// Medit counts elements by kind: where TetGen's files come in another order, nothing is lost that was said.
+TEST(MeditNumbers, OfElementsAreNone) {
+  const test::TestFiles files;
+  const Document document =
+      read_document(files.write("a.mesh", head + vertices + edges + triangles + tetrahedra + "End\n"));
+  std::string aside;
+  for (const Loss& loss : kept_aside(files.path("b.ele"), document).items) aside += loss.item + "; ";
+  EXPECT_EQ(aside, "");
+}
+
 }  // namespace
 }  // namespace tetproof

@@ -169,5 +169,75 @@ TEST(MeditSolutions, LoseNamesAndValuesOfSomeNodes) {
   EXPECT_EQ(write_warning(files.path("new.mesh"), document), "");
 }
 
+std::string items_of(const std::vector<Loss>& losses) {
+  std::string text;
+  for (const Loss& loss : losses) text += fmt::format("{} {} ({})\n", loss.count, loss.item, loss.example);
+  return text;
+}
+
+// Values of elements stand in the mesh itself: programs expect those of vertices in the .sol.
+TEST(MeditSolutions, OfElementsAreWrittenAndComeBack) {
+  const test::TestFiles files;
+  const std::string own = head +
+                          "Vertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTriangles 2\n1 2 3 5\n1 2 4 6\n"
+                          "Tetrahedra 1\n1 2 3 4 0\n";
+  const std::string fields =
+      "\nSolAtTriangles\n2\n2 1 2\n5 1 2 3\n6 4 5 6\n\nSolAtTetrahedra\n1\n1 3\n"
+      "11 21 22 31 32 33\n";
+  const std::string as_read =
+      "v elements solution 1 at 1 2: 5 6\nv elements solution 2 3 at 1 2: 1 2 3 4 5 6\n"
+      "v elements solution 9 at 3: 11 21 31 21 22 32 31 32 33\n";
+  const Document document = read_document(files.write("a.mesh", own + fields + "End\n"));
+  EXPECT_EQ(values_of(document), as_read);
+  for (const std::string out : {"b.mesh", "b.meshb"}) {
+    PlannedFile file(files.path(out), document);
+    EXPECT_EQ(items_of(file.losses()), "") << out;
+    EXPECT_EQ(file.files(), std::vector<std::string>{files.path(out)});
+    file.write();
+    const Document back = read_document(files.path(out));
+    EXPECT_EQ(items_of(back.dropped), "") << out;
+    EXPECT_EQ(test::text_of(back, false), test::text_of(document, false)) << out;
+  }
+  EXPECT_NE(files.read(files.path("b.mesh")).find(fields), std::string::npos)
+      << files.read(files.path("b.mesh"));
+
+  // A name is lost, and what some elements of a kind have has no place.
+  Document other = document;
+  other.element_values[0].name = "heat";
+  other.element_values[1].at = {0}, other.element_values[1].reals = {1, 2, 3};
+  EXPECT_EQ(items_of(losses(files.path("c.mesh"), other)),
+            "1 names of values of elements (\"heat\" becomes \"solution\")\n"
+            "3 values \"solution 2\" of elements (1)\n");
+  write_document(files.path("c.mesh"), other);
+  EXPECT_EQ(values_of(read_document(files.path("c.mesh"))),
+            "v elements solution 1 at 1 2: 5 6\nv elements solution 9 at 3: 11 21 31 21 22 32 31 32 33\n");
+}
+
+// With elements of one kind the values are those of all elements.
+TEST(MeditSolutions, OfAllElements) {
+  const test::TestFiles files;
+  const Document document =
+      read_document(files.write("a.mesh", mesh.substr(0, mesh.find("\nEnd")) + "SolAtEdges 1 1 1 7\nEnd\n"));
+  EXPECT_EQ(values_of(document), "v elements solution 1: 7\n");
+  EXPECT_EQ(items_of(losses(files.path("b.meshb"), document)), "");
+  write_document(files.path("b.meshb"), document);
+  EXPECT_EQ(values_of(read_document(files.path("b.meshb"))), "v elements solution 1: 7\n");
+}
+
+TEST(MeditSolutions, NothingElseInThemIsPassedOverInSilence) {
+  const test::TestFiles files;
+  files.write("a.mesh", mesh);
+  const std::string keywords =
+      "Vertices 1\n0 0 0 0\nCorners 1 1\nRequiredVertices 1 2\nEdges 1 1 2 3\nTrianglesP2Ordering 6\n"
+      "2 0 0\n0 2 0\n0 0 2\n1 1 0\n0 1 1\n1 0 1\nTime 2\n";
+  files.write("a.sol", head + keywords + "SolAtVertices 2 1 1\n1 2\nEnd\n");
+  const Document document = read_document(files.path("a.mesh"));
+  EXPECT_TRUE(document.warnings.empty()) << document.warnings[0];
+  std::string dropped;
+  for (const Loss& loss : document.dropped) dropped += loss.item.substr(loss.item.find(':') + 1);
+  EXPECT_EQ(dropped, " Vertices Edges Time Corners RequiredVertices TrianglesP2Ordering");
+  for (const Loss& loss : document.dropped) EXPECT_FALSE(loss.elements) << loss.item;
+}
+
 }  // namespace
 }  // namespace tetproof

@@ -5,6 +5,7 @@
 
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/mesh_files.hpp"
@@ -118,6 +119,28 @@ TEST(MeshDataRead, PolygonsHaveTheirNumberOfNodesInFrontOfThem) {  // in 2.2, as
   EXPECT_EQ(test::TestFiles::read(files.path("b.msh")), text);
 }
 
+// meshio writes the references of Medit's elements as data. Other words may be anybody's data.
+TEST(MshData, GroupsOfMeshio) {
+  const test::TestFiles files;
+  const std::string mesh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+      "$Elements\n2\n1 2 2 0 0 1 2 3\n2 2 2 0 0 3 2 1\n$EndElements\n$ElementData\n1\n\"";
+  const std::string data = "\"\n1\n0\n3\n0\n1\n2\n1 3\n2 0\n$EndElementData\n";
+  for (const auto& [word, group, values] :
+       {std::tuple("medit:ref", true, 0u), {"tetgen:ref", true, 0u}, {"material", false, 1u}}) {
+    const Document document = read_document(files.write("a.msh", mesh + word + data));
+    EXPECT_EQ(document.element_values.size(), values) << word;
+    const auto& groups = document.tag_sets[static_cast<std::size_t>(document.blocks[0].groups)];
+    EXPECT_EQ(groups, group ? std::vector<std::int64_t>{3} : std::vector<std::int64_t>{}) << word;
+  }
+  // Not where elements have groups, or the numbers are none.
+  std::string other = mesh + "medit:ref" + data;
+  other.replace(other.find("\n1 3\n"), 5, "\n1 -3\n");
+  const Document document = read_document(files.write("a.msh", other));
+  ASSERT_EQ(document.element_values.size(), 1u);
+  EXPECT_TRUE(document.element_values[0].of_view);
+}
+
 struct ErrorCase {
   std::string name, file, message;
 
@@ -132,7 +155,7 @@ const std::vector<ErrorCase> error_cases{
      "a.msh:30: expected the number of periodic entities, found 99, more than the 24 bytes left can hold"},
     {"PeriodicNode", mesh41 + "$Periodic\n1\n2 2 1\n0\n1\n10 x\n$EndPeriodic\n",
      "a.msh:34: expected the tag of the node that it follows, found 'x'"},
-    {"PeriodicEnd", mesh41 + "$Periodic\n0\n0\n$EndPeriodic\n", "a.msh:31: expected $EndPeriodic, found '0'"},
+    {"PeriodicEnd", mesh41 + "$Periodic\n0 0\n$EndPeriodic\n", "a.msh:30: expected $EndPeriodic, found '0'"},
     {"AffineValue", mesh22 + "$Periodic\n1\n2 2 1\nAffine 1 0 y\n0\n$EndPeriodic\n",
      "a.msh:19: expected a value of an affine transformation, found 'y'"},
     {"GhostCount", mesh41 + "$GhostElements\n1\n5 1 20 1\n$EndGhostElements\n",
@@ -146,8 +169,8 @@ const std::vector<ErrorCase> error_cases{
      "left can hold"},
     {"FewerRows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n2\n10 1\n$EndNodeData\n",
      "a.msh:39: expected the tag of a node, found '$EndNodeData'"},
-    {"MoreRows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n10 1\n20 1\n$EndNodeData\n",
-     "a.msh:39: expected $EndNodeData, found '20'"},
+    {"LongerRows", mesh41 + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n10 1 20\n$EndNodeData\n",
+     "a.msh:38: expected $EndNodeData, found '20'"},
     {"NodesOfAnElement",
      mesh41 + "$ElementNodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n5 99 1\n$EndElementNodeData\n",
      "a.msh:38: expected the number of an element's nodes, found 99, more than the 23 bytes left can hold"},

@@ -3,7 +3,10 @@
 // in a section of its own.
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "io/losses.hpp"
@@ -64,32 +67,40 @@ TEST(MshIrregular, NoNodesOrElements) {
   EXPECT_EQ(read(v22).warnings.size(), 2u);
 }
 
-// The blocks have counts of their own, by which Gmsh goes.
+std::string dropped_in(const Document& document) {
+  std::string text;
+  for (const Loss& loss : document.dropped)
+    text +=
+        fmt::format("{} {} ({}){}\n", loss.count, loss.item, loss.example, loss.elements ? " elements" : "");
+  return text;
+}
+std::string refused(const std::string& bytes) {
+  const test::TestFiles files;
+  return files.message([&] { read_document(files.write("a.msh", bytes)); });
+}
+
+// The blocks have counts of their own, by which Gmsh goes, and by their number.
+const std::string node_blocks = "0 1 0 2\n1\n2\n0 0 0\n1 0 0\n0 2 0 2\n3\n4\n0 1 0\n0 0 1\n$EndNodes\n",
+                  element_blocks = "3 1 4 1\n1 1 2 3 4\n1 1 1 2\n2 1 2\n3 2 3\n$EndElements\n";
+std::string blocks41(const std::string& nodes, const std::string& elements) {
+  return v41 + "$Nodes\n" + nodes + "\n" + node_blocks + "$Elements\n" + elements + "\n" + element_blocks;
+}
+const std::string all_blocks =
+    four_points + "N 0/1 2: \nN 0/2 2: \ne 1 4 3/1 g p: 1 2 3 4\ne 2 1 1/1 g p: 1 2\ne 3 1 1/1 g p: 2 3\n";
+
 TEST(MshIrregular, WrongTotals) {
-  const std::string block = "0 1 0 2\n1\n2\n0 0 0\n1 0 0\n", last = "0 2 0 2\n3\n4\n0 1 0\n0 0 1\n";
-  const std::string tets = "3 1 4 1\n1 1 2 3 4\n", lines = "1 1 1 2\n2 1 2\n3 2 3\n";
   for (const auto& [nodes, elements, warnings] :
        {std::tuple("2 4 1 4", "2 3 1 3", Lines{}),
         {"2 12 1 4", "2 18 1 18",
-         Lines{"a.msh:5: 12 nodes in 2 blocks are announced, and 4 nodes in 2 blocks are there",
-               "a.msh:18: 18 elements in 2 blocks are announced, and 3 elements in 2 blocks are there"}},
-        {"1 2 1 2", "1 1 1 1",
-         Lines{"a.msh:5: 2 nodes in 1 block are announced, and 4 nodes in 2 blocks are there",
-               "a.msh:18: 1 element in 1 block is announced, and 3 elements in 2 blocks are there"}},
-        {"7 4 1 4", "3 3 1 3",
-         Lines{"a.msh:5: 4 nodes in 7 blocks are announced, and 4 nodes in 2 blocks are there",
-               "a.msh:18: 3 elements in 3 blocks are announced, and 3 elements in 2 blocks are there"}},
+         Lines{"a.msh:5: 12 nodes are announced, and 4 nodes are in the 2 blocks",
+               "a.msh:18: 18 elements are announced, and 3 elements are in the 2 blocks"}},
         {"2 9000000000000000000 1 4", "2 0 1 3",
-         Lines{"a.msh:5: 9000000000000000000 nodes in 2 blocks are announced, and 4 nodes in 2 blocks are "
-               "there",
-               "a.msh:18: 0 elements in 2 blocks are announced, and 3 elements in 2 blocks are there"}}}) {
-    const Read got = read(v41 + "$Nodes\n" + nodes + "\n" + block + last + "$EndNodes\n$Elements\n" +
-                          elements + "\n" + tets + lines + "$EndElements\n");
+         Lines{"a.msh:5: 9000000000000000000 nodes are announced, and 4 nodes are in the 2 blocks",
+               "a.msh:18: 0 elements are announced, and 3 elements are in the 2 blocks"}}}) {
+    const Read got = read(blocks41(nodes, elements));
     EXPECT_EQ(got.warnings, warnings) << nodes;
-    EXPECT_EQ(test::text_of(got.document, false),
-              four_points +
-                  "N 0/1 2: \nN 0/2 2: \ne 1 4 3/1 g p: 1 2 3 4\ne 2 1 1/1 g p: 1 2\ne 3 1 1/1 g p: 2 3\n")
-        << nodes;
+    EXPECT_EQ(dropped_in(got.document), "") << nodes;
+    EXPECT_EQ(test::text_of(got.document, false), all_blocks) << nodes;
   }
   // 4.0 has its numbers in another order.
   const Read old = read(v40 +
@@ -99,15 +110,92 @@ TEST(MshIrregular, WrongTotals) {
   EXPECT_EQ(test::text_of(old.document, false), "n 1 0 0 0\nn 2 1 0 0\nN 0/1 2: \ne 1 1 1/1 g p: 1 2\n");
 }
 
+// Gmsh refuses them too: "Could not read elements".
+TEST(MshIrregular, FewerBlocksThanAnnouncedAreRefused) {
+  EXPECT_EQ(refused(blocks41("2 4 1 4", "3 3 1 3")),
+            "a.msh:24: expected 3 blocks of elements, found 2 and the end of the section");
+  EXPECT_EQ(refused(blocks41("7 4 1 4", "2 3 1 3")),
+            "a.msh:16: expected 7 blocks of nodes, found 2 and the end of the section");
+  EXPECT_EQ(refused(v40 + "$Nodes\n1 1\n1 0 0 1\n1 0 0 0\n$EndNodes\n$Elements\n1 1\n$EndElements\n"),
+            "a.msh:11: expected 1 block of elements, found 0 and the end of the section");
+}
+
+// Gmsh passes over them. They may be elements, so the mesh is not whole.
+TEST(MshIrregular, LinesBehindTheBlocksAreDropped) {
+  const Read less = read(blocks41("2 4 1 4", "1 1 1 1"));
+  EXPECT_EQ(less.warnings, Lines{});
+  EXPECT_EQ(dropped_in(less.document),
+            "3 lines of $Elements behind those that it announces (line 21) elements\n");
+  EXPECT_EQ(test::text_of(less.document, false), all_blocks.substr(0, all_blocks.find("e 2 ")));
+
+  const Read nodes = read(blocks41("1 2 1 2", "2 3 1 3"));
+  EXPECT_EQ(dropped_in(nodes.document), "5 lines of $Nodes behind those that it announces (line 11)\n");
+  EXPECT_EQ(test::text_of(nodes.document, false),
+            "n 1 0 0 0\nn 2 1 0 0\nN 0/1 2: \ne 1 4 3/1 g p: 1 2 ?3 ?4\ne 2 1 1/1 g p: 1 2\ne 3 1 1/1 g p: 2 "
+            "?3\n");
+
+  // A block with fewer rows than there are: the others are no blocks.
+  const Read rows = read(v41 + "$Nodes\n2 4 1 4\n" + node_blocks +
+                         "$Elements\n1 3 1 3\n3 1 4 1\n1 1 2 3 4\n2 2 2 1\n3 1 2 3\n$EndElements\n");
+  EXPECT_EQ(rows.document.elements(), 1u);
+  EXPECT_EQ(dropped_in(rows.document),
+            "2 lines of $Elements behind those that it announces (line 21) elements\n");
+}
+
+// Of the older versions too, and in every section.
+TEST(MshIrregular, LinesBehindACountAreDropped) {
+  const std::string text =
+      v22 + nodes22 + "$Elements\n1\n1 4 2 0 1 1 2 3 4\n2 4 2 0 1 2 1 3 4\n$EndElements\n";
+  const Read less =
+      read(text + "$NodeData\n1\n\"T\"\n1\n0\n3\n0\n1\n1\n1 5\n2 6\n\nand more\n$EndNodeData\n");
+  EXPECT_EQ(dropped_in(less.document),
+            "1 lines of $Elements behind those that it announces (line 14) elements\n"
+            "2 lines of $NodeData behind those that it announces (line 26)\n");
+  EXPECT_EQ(test::text_of(less.document, false).substr(four_points.size()),
+            "e 1 4 3/1 g p: 1 2 3 4\nv nodes T 1 view 0 0 0 [] at 1: 5\n");
+  EXPECT_EQ(refused(v22 + nodes22 + "$Elements\n2\n1 4 2 0 1 1 2 3 4\n$EndElements\n"),
+            "a.msh:14: expected the tag of an element, found '$EndElements'");
+  // A row that is longer than its type was not understood.
+  EXPECT_EQ(refused(v22 + nodes22 + "$Elements\n1\n1 4 2 0 1 1 2 3 4 5\n$EndElements\n"),
+            "a.msh:13: expected $EndElements, found '5'");
+}
+
+// Each section looked at all bytes behind the last one.
+TEST(MshIrregular, ManySectionsInFrontOfManyLineEnds) {
+  std::string text = v22 + nodes22;
+  for (int k = 0; k < 20000; ++k) text += "$A\n$EndA\n";
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(read(text + std::string(2000000, '\n')).document.sections.size(), 20000u);
+  EXPECT_LT(std::clock() - start, 10 * CLOCKS_PER_SEC);  // 20 seconds if quadratic
+}
+
 TEST(MshIrregular, ATextThatEndsInABlockIsRefused) {
-  const test::TestFiles files;
-  EXPECT_EQ(files.message([&] {
-    read_document(files.write("a.msh", v41 + "$Nodes\n1 2 1 2\n0 1 0 2\n1\n2\n0 0 0\n"));
-  }),
+  EXPECT_EQ(refused(v41 + "$Nodes\n1 2 1 2\n0 1 0 2\n1\n2\n0 0 0\n"),
             "a.msh:10: expected a coordinate, found the end of the file");
-  EXPECT_EQ(files.message(
-                [&] { read_document(files.write("a.msh", v41 + "$Nodes\n2 2 1 2\n0 1 0 1\n1\n0 0 0\n")); }),
-            "a.msh:9: expected $EndNodes, found the end of the file");
+  EXPECT_EQ(refused(v41 + "$Nodes\n2 2 1 2\n0 1 0 1\n1\n0 0 0\n"),
+            "a.msh:9: expected 2 blocks of nodes, found 1 and the end of the file");
+  EXPECT_EQ(refused(v41 + "$Nodes\n1 1 1 1\n0 1 0 1\n1\n0 0 0\n7 7\n"),
+            "a.msh:10: expected $EndNodes, found the end of the file");
+}
+
+// Any order of the ghosts is the same.
+TEST(MshIrregular, GhostsInAnyOrderGoTo22) {
+  const test::TestFiles files;
+  Document document = read_document(files.write(
+      "a.msh",
+      v22 + nodes22 + "$Elements\n2\n1 4 5 7 1 2 1 -2 1 2 3 4\n2 4 5 7 1 2 1 -3 2 3 1 4\n$EndElements\n"));
+  ASSERT_EQ(document.ghost_elements.size(), 2u);
+  std::swap(document.ghost_elements[0], document.ghost_elements[1]);
+  EXPECT_TRUE(kept_aside(files.path("b.msh"), document, {.format = "msh22"}).items.empty());
+  // Binary files of 2.2 have no polygons, and so not their ghosts.
+  document.blocks = {{.type = 34, .dim = 2, .nodes_each = 4, .count = 2, .faces = {}}};
+  document.blocks[0].partitions = static_cast<std::int32_t>(document.tag_sets.size());
+  document.tag_sets.push_back({1});
+  std::string aside;
+  for (const Loss& loss :
+       kept_aside(files.path("b.msh"), document, {.format = "msh22", .binary = true}).items)
+    aside += loss.item + "; ";
+  EXPECT_NE(aside.find("ghost elements"), std::string::npos) << aside;
 }
 
 // Element 1 belongs to partition 1 and is a ghost of 2 and 3, element 2 of the same entity is one of 2,

@@ -79,11 +79,11 @@ TEST(TetgenWrite, HoldsNoValuesOfOtherElementsOrKinds) {
     EXPECT_FALSE(holds.values(values, io::Of::node)) << values.name;
   for (const Values& values : document.element_values)
     EXPECT_FALSE(holds.values(values, io::Of::element)) << values.name;
-  // None of them is written; they are kept aside.
+  // None of them is written; they are kept aside. The groups stand in the columns of markers.
   const test::TestFiles files;
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.node")).substr(0, 8), "4 3 0 0\n");
-  EXPECT_EQ(test::TestFiles::read(files.path("a.face")).substr(0, 4), "2 0\n");
+  EXPECT_EQ(test::TestFiles::read(files.path("a.face")), "2 1\n0 0 1 2 0\n1 0 1 3 7\n");
   EXPECT_EQ(test::tetgen_text(read_document(files.path("a.node"))), test::tetgen_text(document));
 }
 
@@ -152,6 +152,59 @@ TEST(TetgenWrite, GroupsAreTetgensAttributesAndMarkers) {
   document.element_values = {{.name = "attributes", .reals = {0.5}}};  // attributes win over groups
   write_document(files.path("a.node"), document);
   EXPECT_EQ(test::TestFiles::read(files.path("a.ele")), "1 4 1\n1 1 2 3 4 0.5\n");
+}
+
+// Negative markers of triangles without groups, as other formats give them back: for all elements, with 0 for
+// none; as reals; of some. They never take the column from the groups.
+TEST(TetgenWrite, NegativeMarkersBesideGroups) {
+  const test::TestFiles files;
+  Document document;
+  document.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  document.tag_sets = {{}, {5}};
+  document.blocks = {{.type = 4, .dim = 3, .nodes_each = 4, .count = 1},
+                     {.type = 2, .dim = 2, .nodes_each = 3, .count = 1, .first = 1, .nodes = 4},
+                     {.type = 2, .dim = 2, .groups = 1, .nodes_each = 3, .count = 1, .first = 2, .nodes = 7},
+                     {.type = 1, .dim = 1, .groups = 1, .nodes_each = 2, .count = 1, .first = 3, .nodes = 10},
+                     {.type = 1, .dim = 1, .nodes_each = 2, .count = 1, .first = 4, .nodes = 12}};
+  document.connectivity = {0, 1, 2, 3, 0, 2, 1, 0, 1, 3, 0, 1, 1, 2};
+  const auto written = [&](const Values& values) {
+    document.element_values = {values};
+    std::string text;
+    for (const Loss& loss : kept_aside(files.path("a.ele"), document).items) text += loss.item + "; ";
+    write_document(files.path("a.ele"), document);
+    for (const char* name : {"a.face", "a.edge"}) text += test::TestFiles::read(files.path(name));
+    return text;
+  };
+  const std::string columns = "2 1\n1 1 3 2 -1\n2 1 2 4 5\n2 1\n1 1 2 5\n2 2 3 -2\n";
+  EXPECT_EQ(written(integers("markers", 1, 0, {0, -1, 0, 0, -2})), columns);
+  EXPECT_EQ(written(reals("markers", 1, {0, -1, 0, 0, -2})), columns);
+  Values some = reals("markers", 1, {-2, -1});
+  some.at = {4, 1};
+  EXPECT_EQ(written(some), columns);
+  const Document back = read_document(files.path("a.ele"));
+  EXPECT_EQ(back.element_values.size(), 2u);  // those of triangles and those of lines
+
+  // What the column cannot say stays in the comments.
+  const std::string groups = "2 1\n1 1 3 2 0\n2 1 2 4 5\n2 1\n1 1 2 5\n2 2 3 0\n";
+  for (const auto& numbers : {std::vector<double>{0, -1.5, 0, 0, -2.5}, {0, -1, -1, -2, 0}, {0, 4, 0, 0, 4}})
+    EXPECT_EQ(written(reals("markers", 1, numbers)), "values \"markers\" of elements; " + groups);
+}
+
+// Words of other tools for the one number of a node.
+TEST(TetgenWrite, ReferencesOfNodesAreMarkers) {
+  for (const Values& values :
+       {integers("references", 1, 0, {7, 0, -3, 1}), reals("medit:ref", 1, {7, 0, -3, 1}),
+        integers("tetgen:ref", 1, 0, {7, 0, -3, 1})}) {
+    const test::TestFiles files;
+    Document document = tetgen_document();
+    document.node_values = {values};
+    EXPECT_TRUE(kept_aside(files.path("a.node"), document).items.empty()) << values.name;
+    write_document(files.path("a.node"), document);
+    EXPECT_EQ(test::TestFiles::read(files.path("a.node")),
+              "4 3 0 1\n0 0 0 0 7\n1 0.1 0 0 0\n2 -0 1 0 -3\n3 0 0 5e-324 1\n");
+    document.node_values = {integers("markers", 1, 0, {7, 0, -3, 1})};
+    EXPECT_EQ(test::tetgen_text(read_document(files.path("a.node"))), test::tetgen_text(document));
+  }
 }
 
 TEST(TetgenWrite, SaysWhichFilesAreLeftOver) {
