@@ -18,7 +18,7 @@ namespace tetproof::io {
 /// with a name of io/model/tag_words.hpp become entities and physical groups, as in .vtu. (Gmsh's
 /// "CellEntityIds" are entities, or the numbers of physical groups when it saves by groups.) The second line
 /// is the document's title, unless it is "vtk output", which VTK's writer makes up.
-/// See `add_vtk_piece` for cells that are not kept as they are.
+/// See `VtkPieces::add` for cells that are not kept as they are.
 ///
 /// CELL_TYPES may stand before CELLS. A word that begins with the name of a type, such as `int1`, is read as
 /// that type, with a warning: VTK does so.

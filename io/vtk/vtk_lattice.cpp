@@ -41,6 +41,13 @@ std::int64_t lattice_cells(const VtkDimensions& dimensions) {
   return cells;
 }
 
+std::int64_t lattice_cells(const VtkDimensions& dimensions, const VtkDimensions& whole) {
+  std::int64_t cells = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    cells *= dimensions[k] == 0 ? 0 : whole[k] > 1 ? dimensions[k] - 1 : dimensions[k];
+  return cells;
+}
+
 std::int64_t most_lattice_points(std::size_t bytes) {
   constexpr std::uint64_t least = 1 << 17, most = std::numeric_limits<Index>::max();
   return static_cast<std::int64_t>(std::clamp<std::uint64_t>(bytes, least, most));
@@ -75,21 +82,31 @@ void add_image_points(const VtkDimensions& dimensions, const VtkImage& image, Vt
       }
 }
 
-void add_lattice_cells(const VtkDimensions& dimensions, VtkPiece& piece) {
-  const std::int64_t cells = lattice_cells(dimensions);
-  if (cells == 0) return;
+std::vector<VtkDimensions> lattice_corners(const VtkDimensions& dimensions) {
+  std::vector<VtkDimensions> corners{{0, 0, 0}};
   const std::vector<std::size_t> axes = wide_axes(dimensions);
-  constexpr std::int64_t types[] = {1, 3, 9, 12};
-  const std::array<std::int64_t, 3> stride{1, dimensions[0], dimensions[0] * dimensions[1]};
-  // The corners of a cell, from its first one on.
-  std::vector<std::int64_t> corners{0};
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    std::vector<std::int64_t> moved = corners;
-    for (std::int64_t& corner : moved) corner += stride[axes[k]];
+    std::vector<VtkDimensions> moved = corners;
+    for (VtkDimensions& corner : moved) ++corner[axes[k]];
     if (k == 1) std::reverse(moved.begin(), moved.end());
     corners.insert(corners.end(), moved.begin(), moved.end());
   }
-  piece.types.insert(piece.types.end(), static_cast<std::size_t>(cells), types[axes.size()]);
+  return corners;
+}
+
+std::int64_t lattice_cell_type(const VtkDimensions& dimensions) {
+  constexpr std::int64_t types[] = {1, 3, 9, 12};
+  return types[wide_axes(dimensions).size()];
+}
+
+void add_lattice_cells(const VtkDimensions& dimensions, VtkPiece& piece) {
+  const std::int64_t cells = lattice_cells(dimensions);
+  if (cells == 0) return;
+  const std::array<std::int64_t, 3> stride{1, dimensions[0], dimensions[0] * dimensions[1]};
+  std::vector<std::int64_t> corners;
+  for (const auto& [x, y, z] : lattice_corners(dimensions))
+    corners.push_back(x * stride[0] + y * stride[1] + z * stride[2]);
+  piece.types.insert(piece.types.end(), static_cast<std::size_t>(cells), lattice_cell_type(dimensions));
   piece.connectivity.reserve(piece.connectivity.size() + static_cast<std::size_t>(cells) * corners.size());
   const auto last = [&](std::size_t k) { return std::max<std::int64_t>(1, dimensions[k] - 1); };
   for (std::int64_t k = 0; k < last(2); ++k)
@@ -101,10 +118,10 @@ void add_lattice_cells(const VtkDimensions& dimensions, VtkPiece& piece) {
       }
 }
 
-std::string lattice_in_words(const std::string& kind, const VtkDimensions& dimensions) {
-  constexpr const char* cells[] = {"points", "lines", "quadrangles", "hexahedra"};
+std::string lattice_in_words(const std::string& kind, const VtkDimensions& dimensions, std::int64_t cells) {
+  constexpr const char* names[] = {"points", "lines", "quadrangles", "hexahedra"};
   return fmt::format("{} of {} points, kept as {}", kind, fmt::join(dimensions, " x "),
-                     counted(lattice_cells(dimensions), cells[wide_axes(dimensions).size()]));
+                     counted(cells, names[wide_axes(dimensions).size()]));
 }
 
 }  // namespace tetproof::io

@@ -17,6 +17,13 @@ using VtkDimensions = std::array<std::int64_t, 3>;
 /// The number of points, and of cells. -1: there are more than `most`, or a dimension is negative.
 std::int64_t lattice_points(const VtkDimensions& dimensions, std::int64_t most);
 std::int64_t lattice_cells(const VtkDimensions& dimensions);
+/// The number of cells of a piece with these dimensions of a grid with the dimensions `whole`.
+std::int64_t lattice_cells(const VtkDimensions& dimensions, const VtkDimensions& whole);
+
+/// The corners of a cell, from its first one on, and VTK's type of it: hexahedra; quadrangles, lines or a
+/// point where one, two or three dimensions are 1.
+std::vector<VtkDimensions> lattice_corners(const VtkDimensions& dimensions);
+std::int64_t lattice_cell_type(const VtkDimensions& dimensions);
 
 /// The most points of a structured grid in a file of so many bytes, if no data tell that there are more. Such
 /// a grid needs no data, so a small file could ask for any memory.
@@ -32,11 +39,10 @@ struct VtkImage {
 };
 void add_image_points(const VtkDimensions& dimensions, const VtkImage& image, VtkPiece& piece);
 
-/// Adds the cells, for points that start at 0: hexahedra; quadrangles, lines or a point where one, two or
-/// three dimensions are 1.
+/// Adds the cells, for points that start at 0.
 void add_lattice_cells(const VtkDimensions& dimensions, VtkPiece& piece);
 
 /// "a structured grid of 3 x 4 x 5 points, kept as 24 hexahedra".
-std::string lattice_in_words(const std::string& kind, const VtkDimensions& dimensions);
+std::string lattice_in_words(const std::string& kind, const VtkDimensions& dimensions, std::int64_t cells);
 
 }  // namespace tetproof::io

@@ -51,19 +51,17 @@ void VtkLegacyScanner::numbers(Column& column, std::size_t count) {
   const bool bits = column.type == "bit";
   if (bits) column.type = "UInt8";
   if (!binary_) {
+    const bool reals = is_real_type(column.type);
     for (std::size_t i = 0; i < count; ++i)
-      if (is_real_type(column.type))
+      if (reals)
         column.reals.push_back(real("a number"));
       else
-        column.integers.push_back(integer("an integer"));
+        column.integers.push_back(read_vtk_integer(*this, column.type));
     return;
   }
   next_line();
   if (bits) {
-    const std::string_view bytes = raw((count + 7) / 8, "bits");
-    for (std::size_t i = 0; i < count; ++i)
-      column.integers.push_back(static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8) & 1);
-    return;
+    return append_bits(raw((count + 7) / 8, "bits"), count, column);
   }
   const std::size_t size = vtk_type_size(column.type);
   if (count > remaining() / size)

@@ -16,6 +16,7 @@ namespace tetproof::io {
 class VtkLegacyScanner : public Scanner {
  public:
   explicit VtkLegacyScanner(const InputFile& file) : Scanner(file) {}
+  using Scanner::Scanner;
 
   /// From here on numbers are binary.
   void set_binary() { binary_ = true; }

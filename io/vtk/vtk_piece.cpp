@@ -12,7 +12,6 @@
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
-#include "io/model/tag_sets.hpp"
 #include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_information.hpp"
@@ -50,15 +49,15 @@ bool is_element_lost(std::int64_t type) {
 
 class Adder {
  public:
-  Adder(Document& document, VtkPiece& piece, bool whole)
+  Adder(Document& document, TagSets& sets, VtkPiece& piece, bool whole)
       : document_(document),
         piece_(piece),
         whole_(whole),
-        sets_(document),
+        sets_(sets),
         base_(document.points.size()),
         first_(document.elements()) {}
 
-  void add() {
+  void add(VtkLabels& node_labels, VtkLabels& element_labels) {
     constexpr std::size_t most = std::numeric_limits<Index>::max();
     if (piece_.points.size() > most - base_) fail("more points than can be numbered here");
     if (base_ == 0)
@@ -70,10 +69,11 @@ class Adder {
     cells();
     for (Column& column : piece_.point_data)
       add_vtk_values(document_, document_.node_values, std::move(column), {base_, points_},
-                     piece_.point_roles);
+                     piece_.point_roles, node_labels);
     for (Column& column : piece_.cell_data)
       add_vtk_values(document_, document_.element_values, std::move(column),
-                     {first_, piece_.types.size(), changed_ ? &origin_ : nullptr}, piece_.cell_roles);
+                     {first_, piece_.types.size(), changed_ ? &origin_ : nullptr}, piece_.cell_roles,
+                     element_labels);
     for (const auto* roles : {&piece_.point_roles, &piece_.cell_roles})
       for (const VtkRole& role : *roles) add_vtk_role(document_.dropped, role.array, role.role);
   }
@@ -83,30 +83,24 @@ class Adder {
     throw InputError(fmt::format("{}: {}", document_.path, message));
   }
 
-  // Takes the arrays of entities and groups out of the cell data. Zeros alone say nothing, and stay an array.
+  // Takes the arrays of entities and groups out of the cell data.
   void names() {
-    const auto take = [&](std::string_view name, std::vector<std::int64_t>& to) {
-      for (auto column = piece_.cell_data.begin(); column != piece_.cell_data.end(); ++column)
-        if (column->name == name && may_be_tags(*column) && column->integers.size() == piece_.types.size()) {
-          to = std::move(column->integers);
-          piece_.cell_data.erase(column);
-          // Entities and groups have no use for a role.
-          std::erase_if(piece_.cell_roles, [&](const VtkRole& role) { return role.array == name; });
-          return true;
-        }
-      return false;
+    if (!piece_.tags) piece_.tags = vtk_tag_names({&piece_.cell_data, 1});
+    const auto take = [&](const std::string& name, std::vector<std::int64_t>& to) {
+      if (name.empty() || !take_tags(piece_.cell_data, name, to)) return false;
+      if (to.size() != piece_.types.size())
+        fail(fmt::format("array \"{}\": expected {}, found {}{}", name,
+                         counted(piece_.types.size(), "values"), to.size(), piece_.which));
+      // Entities and groups have no use for a role.
+      std::erase_if(piece_.cell_roles, [&](const VtkRole& role) { return role.array == name; });
+      return true;
     };
-    for (const TagWord& word : tag_words)
-      if (word.tag == Tag::entity && take(word.word, entities_)) break;
+    take(piece_.tags->entities, entities_);
     std::vector<std::int64_t> groups;
-    for (const TagWord& word : tag_words)
-      if (word.tag == Tag::group && take(word.word, groups)) {
-        groups_.push_back(std::move(groups));
-        if (word.word != own_group_word) document_.group_word = word.word;
-        break;
-      }
-    if (groups_.empty()) return;
-    for (std::size_t k = 2; take(vtk_group_array(k), groups); ++k) groups_.push_back(std::move(groups));
+    for (const std::string& name : piece_.tags->groups)
+      if (take(name, groups)) groups_.push_back(std::move(groups));
+    if (!piece_.tags->groups.empty() && piece_.tags->groups[0] != own_group_word)
+      document_.group_word = piece_.tags->groups[0];
   }
 
   void cells() {
@@ -126,6 +120,10 @@ class Adder {
       add_loss(document_.dropped, "numbers of points behind those of the last cell",
                piece_.connectivity.size() - static_cast<std::size_t>(start),
                fmt::format("{}{}", piece_.connectivity[static_cast<std::size_t>(start)], piece_.which));
+    if (const auto faces = static_cast<std::size_t>(face_start_);
+        !piece_.face_ends.empty() && faces < piece_.faces.size())
+      add_loss(document_.dropped, "numbers of faces behind those of the last polyhedron",
+               piece_.faces.size() - faces, fmt::format("{}{}", piece_.faces[faces], piece_.which));
     for (const auto& [type, cells] : dropped_)
       add_loss(document_.dropped, item_of(type), cells.count,
                fmt::format("cell {}{}, {}", cells.first, piece_.which, counted(cells.points, "points")),
@@ -263,7 +261,7 @@ class Adder {
   Document& document_;
   VtkPiece& piece_;
   const bool whole_;
-  TagSets sets_;
+  TagSets& sets_;
   const std::size_t base_, first_;
   std::size_t points_ = 0;
   std::vector<std::int64_t> entities_, tags_;
@@ -285,17 +283,8 @@ class Adder {
 
 }  // namespace
 
-bool may_be_tags(const Column& column) {
-  return column.components == 1 && column.reals.empty() && column.texts.empty() &&
-         std::any_of(column.integers.begin(), column.integers.end(), [](std::int64_t i) { return i != 0; });
-}
-
-std::string vtk_group_array(std::size_t k) {
-  return fmt::format("group {}", k);
-}
-
-void add_vtk_piece(Document& document, VtkPiece&& piece, bool whole) {
-  Adder(document, piece, whole).add();
+void VtkPieces::add(VtkPiece&& piece, bool whole) {
+  Adder(document_, sets_, piece, whole).add(node_labels_, element_labels_);
 }
 
 void add_vtk_field(Document& document, Column&& column) {

@@ -16,7 +16,8 @@
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_group_names.hpp"
-#include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_polyhedron.hpp"
+#include "io/vtk/vtk_tags.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
 
@@ -91,20 +92,24 @@ std::size_t most_groups(const Document& document) {
   return most;
 }
 
-// Gives out names for arrays, each once.
+// Gives out names for arrays, each once: VTK 9.1 crashes at two cell data of one name.
 class Names {
  public:
   std::string operator()(
       const std::string& wanted,
       const std::function<bool(const std::string&)>& avoid = [](const std::string&) { return false; }) {
-    std::string name = wanted.empty() ? "values" : wanted;
-    for (int k = 2; avoid(name) || !taken_.insert(name).second; ++k)
-      name = fmt::format("{} #{}", wanted.empty() ? "values" : wanted, k);
+    const std::string plain = wanted.empty() ? "values" : wanted;
+    std::string name = plain;
+    while (avoid(name) || taken_.contains(name)) name = fmt::format("{} #{}", plain, ++last_[plain] + 1);
+    taken_.insert(name);
     return name;
   }
 
+  void take(const std::string& name) { taken_.insert(name); }
+
  private:
   std::set<std::string> taken_;
+  std::map<std::string, int> last_;  // the last number for a name, less 1
 };
 
 std::vector<std::string> names_of_groups(const Document& document) {
@@ -204,14 +209,11 @@ bool are_texts(const Document& document, const Values& values, std::size_t items
   if (values.labels.empty() || !is_of_vtk(document) || !covers(values, items) ||
       !are_vtu_strings(values.labels))
     return false;
-  std::int64_t next = 0;  // the reader numbers texts as they come up
-  for (const std::int64_t label : values.integers) {
-    if (label < 0 || label > next) return false;
-    next += label == next;
-  }
-  const std::set<std::string_view> different(values.labels.begin(), values.labels.end());
-  return values.reals.empty() && static_cast<std::size_t>(next) == values.labels.size() &&
-         different.size() == values.labels.size();
+  // The numbers are the reader's, which gives them out as texts come up. Edits leave them in another order.
+  return values.reals.empty() &&
+         std::all_of(values.integers.begin(), values.integers.end(), [&](std::int64_t label) {
+           return label >= 0 && label < static_cast<std::int64_t>(values.labels.size());
+         });
 }
 
 bool has_vtk_role(const Values& values, bool beside_entities) {
@@ -238,6 +240,8 @@ VtkPlan vtk_plan(const Document& document, const std::string& entities) {
   if (has_entities(document)) plan.entities = entities;
   plan.groups = names_of_groups(document);
   Names of_nodes, of_cells, of_fields;
+  if (!plan.entities.empty()) of_cells.take(plan.entities);
+  for (const std::string& group : plan.groups) of_cells.take(group);
   for (const Values& values : document.node_values) plan.node_values.push_back(of_nodes(values.name));
   for (const Values& values : document.element_values)
     plan.element_values.push_back(of_cells(values.name, [&](const std::string& name) {
@@ -254,6 +258,10 @@ VtkPlan vtk_plan(const Document& document, const std::string& entities) {
 
 Holds vtk_holds(const Document& document, const VtkPlan& plan) {
   Holds holds = holds_of_both(document, plan);
+  holds.nodes_each = [](const ElementBlock& block) {  // the faces of a polyhedron stand for its nodes
+    const VtkCell cell = vtk_cell(block);
+    return cell.type == vtk_polyhedron ? nodes_of_faces(block) : cell.nodes;
+  };
   holds.title = document.title.size() <= longest_vtk_title && document.title != made_up_vtk_title &&
                 document.title.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos;
   holds.roles = [&document, &plan](const Values& values, Of of) {

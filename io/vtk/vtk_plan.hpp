@@ -36,8 +36,8 @@ VtkPlan vtk_plan(const Document& document, const std::string& entities);
 /// Whether there is one value for each of `items` nodes or elements, in their order.
 bool covers(const Values& values, std::size_t items);
 
-/// Whether values are written as the texts that their labels are. So are those that came from such a file and
-/// that come back with the same labels; not those of other formats, since few programs read texts.
+/// Whether values are written as the texts that their labels are. So are those that came from such a file;
+/// not those of other formats, since few programs read texts. The texts come back, with numbers of their own.
 bool are_texts(const Document& document, const Values& values, std::size_t items);
 
 /// Whether a legacy file gives the values the first of their roles, which makes them an attribute instead of

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "io/document.hpp"
+
 namespace tetproof::io {
 
 /// A polyhedron, with its nodes in the order in which its faces name them: its own list of nodes has no order
@@ -24,6 +26,20 @@ struct VtkPolyhedron {
   std::int32_t place(std::int64_t node);
 
   std::unordered_map<std::int64_t, std::int32_t> place_;
+};
+
+/// How many of the nodes of a block's polyhedra their faces name.
+int nodes_of_faces(const ElementBlock& block);
+
+/// Polyhedra as VTK 9.4 and later list them in XML files: face f has the corners up to `face_ends[f]`, and
+/// cell c the faces up to `ends[c]` in `faces`.
+struct VtkFaces {
+  std::vector<std::int64_t> corners, face_ends, faces, ends;
+
+  bool empty() const { return corners.empty() && face_ends.empty() && faces.empty() && ends.empty(); }
+  /// Makes of them the lists of `VtkPiece`. Returns what is wrong; empty: nothing.
+  std::string lists(std::vector<std::int64_t>& faces_of_cells,
+                    std::vector<std::int64_t>& ends_of_cells) const;
 };
 
 }  // namespace tetproof::io

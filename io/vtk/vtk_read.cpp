@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "io/bytes/text_encoding.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
 #include "io/vtk/vtk.hpp"
@@ -22,7 +23,7 @@ namespace {
 class Reader {
  public:
   explicit Reader(const InputFile& file)
-      : in_(file), data_(in_, document_, piece_), size_(file.bytes().size()) {
+      : file_(file), in_(file), data_(in_, document_, piece_), size_(file.bytes().size()) {
     document_.path = file.path();
     document_.format = "vtk";
     document_.first_node = document_.first_element = 0;
@@ -43,7 +44,7 @@ class Reader {
       data_.finish(piece_.points.size(), piece_.types.size());
     }
     list_odd_types();
-    add_vtk_piece(document_, std::move(piece_), true);
+    VtkPieces(document_).add(std::move(piece_), true);
     take_group_names(document_);
     return std::move(document_);
   }
@@ -58,7 +59,17 @@ class Reader {
     const std::string_view kind = in_.word();
     const std::string name = lower_case(kind);
     if (name != "ascii" && name != "binary") in_.fail("ASCII or BINARY", kind);
-    if (name == "binary") in_.set_binary();
+    if (name == "binary")
+      in_.set_binary();
+    else
+      end_text();
+  }
+
+  // Passes over zero bytes and the ^Z of DOS at the end of a text, as VTK does.
+  void end_text() {
+    if (std::string warning = warning_of_end(file_); !warning.empty())
+      document_.warnings.push_back(std::move(warning));
+    in_ = VtkLegacyScanner(file_.path(), file_.bytes().substr(0, end_of_text(file_.bytes())), in_.offset());
   }
 
   void section(std::string_view word) {
@@ -154,7 +165,8 @@ class Reader {
           fmt::format("expected {} points, found {}", fmt::join(dimensions_, " x "), piece_.points.size()));
     add_lattice_cells(dimensions_, piece_);
     document_.warnings.push_back(
-        fmt::format("{}: {}", document_.path, lattice_in_words("a structured grid", dimensions_)));
+        fmt::format("{}: {}", document_.path,
+                    lattice_in_words("a structured grid", dimensions_, lattice_cells(dimensions_))));
   }
 
   void points() {
@@ -213,6 +225,7 @@ class Reader {
     std::vector<std::int64_t> connectivity{}, ends{};
   };
 
+  const InputFile& file_;
   VtkLegacyScanner in_;
   Document document_;
   VtkPiece piece_;

@@ -3,6 +3,7 @@
 #include "io/vtk/vtk_types.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -43,6 +44,23 @@ void append_numbers(const char* from, std::size_t count, std::endian order, Colu
     else
       append(column.integers);
   });
+}
+
+void append_bits(std::string_view bytes, std::size_t count, Column& column) {
+  for (std::size_t i = 0; i < count; ++i)
+    column.integers.push_back(static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8) & 1);
+}
+
+std::int64_t read_vtk_integer(Scanner& in, std::string_view type) {
+  constexpr const char* expected = "an integer";
+  if (type != "UInt64") return in.integer(expected);
+  const std::string_view word = in.word();
+  std::int64_t value = 0;
+  if (parse_integer(word, value)) return value;
+  std::uint64_t large = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), large);
+  if (error != std::errc() || end != word.data() + word.size()) in.fail(expected, word);
+  return static_cast<std::int64_t>(large);
 }
 
 bool fits_its_type(const Column& column) {

@@ -5,9 +5,11 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "io/bytes/scanner.hpp"
 #include "io/document.hpp"
 
 namespace tetproof::io {
@@ -25,6 +27,12 @@ inline std::size_t column_size(const Column& column) {
 /// Appends `count` numbers of `column.type` to its reals or integers. UInt64 values of 2^63 and more become
 /// negative.
 void append_numbers(const char* from, std::size_t count, std::endian order, Column& column);
+
+/// Appends `count` bits of packed ones, the highest of each byte first.
+void append_bits(std::string_view bytes, std::size_t count, Column& column);
+
+/// Reads an integer of this type from text. UInt64 values of 2^63 and more become negative.
+std::int64_t read_vtk_integer(Scanner& in, std::string_view type);
 
 /// Whether the column's type can hold all of its values, so that they can be written with this type.
 bool fits_its_type(const Column& column);

@@ -20,9 +20,9 @@ struct VtkItems {
 };
 
 /// Adds an array to the values `to` of the document, or continues the array of the same name of the previous
-/// piece. Takes the array's roles out of `roles`. Strings become integers with labels. InputError if there is
-/// not a value for each item.
+/// piece. Takes the array's roles out of `roles`. Strings become integers with labels, which count on from
+/// piece to piece; `labels`: those of `to` so far. InputError if there is not a value for each item.
 void add_vtk_values(Document& document, std::vector<Values>& to, Column&& column, const VtkItems& items,
-                    std::vector<VtkRole>& roles);
+                    std::vector<VtkRole>& roles, VtkLabels& labels);
 
 }  // namespace tetproof::io

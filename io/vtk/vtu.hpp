@@ -16,7 +16,7 @@ namespace tetproof::io {
 /// the other. Point and cell data become values with their roles (Scalars="..."), and field data a table for
 /// each array. The cell data with a name of io/model/tag_words.hpp ("gmsh:physical",
 /// "medit:ref", "CellEntityIds", ...) become physical groups, with "group 2", ... for further ones, and
-/// entities. Nodes and cells are numbered from 0. See `add_vtk_piece` for the cells that are not kept
+/// entities. Nodes and cells are numbered from 0. See `VtkPieces::add` for the cells that are not kept
 /// as they are.
 ///
 /// Everything else is listed as dropped: names of components, information keys, the division into pieces, and

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <vector>
 
@@ -184,12 +183,6 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
           fmt::format("array \"{}\": expected {}, found more", column.name, counted(most, "values")));
     if (is_real_type(column.type)) {
       column.reals.push_back(in.real("a number"));
-    } else if (column.type == "UInt64") {
-      const std::string_view word = in.word();
-      std::uint64_t value = 0;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (error != std::errc() || end != word.data() + word.size()) in.fail("an integer", word);
-      column.integers.push_back(static_cast<std::int64_t>(value));
     } else if (column.type == "String") {
       const std::int64_t c = in.integer("the code of a character");
       // VTK writes bytes of 128 and more as negative numbers.
@@ -199,7 +192,7 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
       else
         text.push_back(static_cast<char>(c));
     } else {
-      column.integers.push_back(in.integer("an integer"));
+      column.integers.push_back(read_vtk_integer(in, column.type));
     }
   }
   if (count && column_size(column) != *count)
@@ -207,14 +200,29 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
                                 column_size(column)));
 }
 
+// In binary, eight bits are a byte, and the last byte may have bits behind them.
+std::size_t read_bits(const VtuEncoding& encoding, const VtuPlace& place, std::optional<std::size_t> count,
+                      Column& column) {
+  Column packed{.name = column.name, .type = "UInt8"};
+  const auto bytes = count ? std::optional((*count + 7) / 8) : std::nullopt;
+  const std::size_t left = read_vtu_array(encoding, place, bytes, packed);
+  std::string bits;
+  for (const std::int64_t byte : packed.integers) bits += static_cast<char>(byte);
+  column.type = "UInt8";
+  append_bits(bits, count.value_or(8 * bits.size()), column);
+  return left;
+}
+
 }  // namespace
 
 std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
                            std::optional<std::size_t> count, Column& column) {
   if (place.kind == VtuPlace::ascii) {
+    if (column.type == "Bit") column.type = "UInt8";
     read_ascii(encoding, place, count, column);
     return 0;
   }
+  if (column.type == "Bit") return read_bits(encoding, place, count, column);
   Source source(encoding, place);
   Sink sink(encoding, column);
   if (source.empty() && (!count || *count == 0)) return 0;

@@ -31,9 +31,9 @@ struct VtuPlace {
   bool shared = false;  ///< appended data: other arrays may follow before `end`
 };
 
-/// Reads the values of an array into `column`, whose type is set and valid: reals, integers or texts.
-/// `count`: how many there must be, if that is known. Returns how many bytes of the place follow the values.
-/// InputError, with line or byte, for anything else.
+/// Reads the values of an array into `column`, whose type is set and valid: reals, integers or texts. The
+/// type Bit becomes UInt8. `count`: how many there must be, if that is known. Returns how many bytes of the
+/// place follow the values. InputError, with line or byte, for anything else.
 std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
                            std::optional<std::size_t> count, Column& column);
 

@@ -99,7 +99,8 @@ std::vector<std::int64_t> VtuFile::integers(const pugi::xml_node& node, std::opt
 Column VtuFile::column(const pugi::xml_node& node, std::optional<std::size_t> items,
                        std::vector<Loss>& dropped) const {
   Column column{.name = node.attribute("Name").value(), .type = node.attribute("type").value()};
-  if (!is_vtk_type(column.type))
+  const bool bits = column.type == "Bit";
+  if (!bits && !is_vtk_type(column.type))
     fail(node, fmt::format("expected the type of an array, found '{}'", column.type));
   const char* components = node.attribute("NumberOfComponents").as_string("1");
   std::int64_t each = 0;
@@ -108,6 +109,8 @@ Column VtuFile::column(const pugi::xml_node& node, std::optional<std::size_t> it
     fail(node, fmt::format("expected NumberOfComponents, found '{}'", components));
   column.components = each == 0 ? 1 : static_cast<int>(each);
   std::optional<std::size_t> values;
+  // Bits do not fill the last byte, so that it does not say how many they are.
+  if (bits && !items && node.attribute("NumberOfTuples")) items = count(node, "NumberOfTuples");
   if (items) values = *items * static_cast<std::size_t>(column.components);
   const VtuPlace where = place(node);
   const std::size_t left = read_vtu_array(encoding_, where, values, column);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <optional>
 #include <pugixml.hpp>
 #include <vector>
@@ -13,12 +11,13 @@
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_group_names.hpp"
-#include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_piece.hpp"
-#include "io/vtk/vtk_types.hpp"
-#include "io/vtk/vtk_words.hpp"
+#include "io/vtk/vtk_polyhedron.hpp"
+#include "io/vtk/vtk_tags.hpp"
 #include "io/vtk/vtu.hpp"
 #include "io/vtk/vtu_file.hpp"
+#include "io/vtk/vtu_lattice.hpp"
+#include "io/vtk/vtu_parts.hpp"
 #include "io/vtk/vtu_unread.hpp"
 
 namespace tetproof::io {
@@ -33,7 +32,7 @@ constexpr std::pair<std::string_view, Grid> grids[] = {{"UnstructuredGrid", Grid
 
 class Reader {
  public:
-  explicit Reader(const InputFile& file) : file_(file), size_(file.bytes().size()) {
+  explicit Reader(const InputFile& file) : file_(file), size_(file.bytes().size()), parts_(file_, document_) {
     document_.path = file.path();
     document_.format = "vtu";
     document_.first_node = document_.first_element = 0;
@@ -67,85 +66,85 @@ class Reader {
     std::size_t pieces = 0, filled = 0, number = 0;
     for ([[maybe_unused]] const pugi::xml_node one : grid.children("Piece")) ++pieces;
     if (pieces == 0) file_.fail(grid, "expected <Piece>");
-    for (const pugi::xml_node one : grid.children("Piece")) {
-      const std::size_t before = document_.points.size();
-      piece(grid, one, pieces == 1 ? "" : fmt::format(" of piece {}", number++));
-      filled += document_.points.size() != before;
+    VtkPieces all(document_);
+    if (kind_ != Grid::unstructured && kind_ != Grid::polygonal) {
+      const VtuLattice kind = kind_ == Grid::image         ? VtuLattice::image
+                              : kind_ == Grid::rectilinear ? VtuLattice::rectilinear
+                                                           : VtuLattice::structured;
+      all.add(read_vtu_lattice(file_, grid, kind, size_, document_, filled), true);
+    } else {
+      std::optional<VtkTagNames> tags;
+      if (pieces > 1) tags = tag_names(grid);
+      for (const pugi::xml_node one : grid.children("Piece")) {
+        const std::size_t before = document_.points.size();
+        VtkPiece piece;
+        piece.tags = tags;
+        if (pieces > 1) piece.which = fmt::format(" of piece {}", number++);
+        read(one, piece);
+        all.add(std::move(piece), pieces == 1);
+        filled += document_.points.size() != before;
+      }
     }
     if (filled > 1) add_loss(document_.dropped, "division into pieces", 1, fmt::format("{} pieces", filled));
   }
 
-  void piece(const pugi::xml_node& grid, const pugi::xml_node& node, std::string which) {
-    VtkPiece piece;
-    piece.which = std::move(which);
-    if (kind_ == Grid::unstructured || kind_ == Grid::polygonal) {
-      const std::size_t points = file_.count(node, "NumberOfPoints");
-      this->points(node, points, piece);
-      kind_ == Grid::unstructured ? cells(node, piece) : polygons(node, piece);
-      data(node, points, piece.types.size(), piece);
-    } else {
-      lattice(grid, node, piece);
+  // Reads the arrays of all pieces that may be tags, which they are in all or in none.
+  VtkTagNames tag_names(const pugi::xml_node& grid) const {
+    std::vector<std::vector<Column>> arrays;
+    std::vector<Loss> again;  // listed when the piece is read
+    for (const pugi::xml_node one : grid.children("Piece")) {
+      std::vector<Column>& of_piece = arrays.emplace_back();
+      each_array(one, "CellData", [&](const pugi::xml_node& array) {
+        if (may_be_vtk_tag_name(array.attribute("Name").value()))
+          of_piece.push_back(file_.column(array, std::nullopt, again));
+      });
     }
-    const bool whole = piece.which.empty();
-    add_vtk_piece(document_, std::move(piece), whole);
+    return vtk_tag_names(arrays);
   }
 
-  void data(const pugi::xml_node& node, std::size_t points, std::size_t cells, VtkPiece& piece) {
-    data(node, "PointData", points, piece.point_data, piece.point_roles);
-    data(node, "CellData", cells, piece.cell_data, piece.cell_roles);
-  }
-
-  void data(const pugi::xml_node& node, const char* name, std::size_t items, std::vector<Column>& to,
-            std::vector<VtkRole>& roles) {
-    each_array(node, name, [&](const pugi::xml_node& array) {
-      to.push_back(file_.column(array, items, document_.dropped));
-    });
-    for (const pugi::xml_node of : node.children(name))
-      for (const pugi::xml_attribute attribute : of.attributes())
-        if (is_vtk_role(attribute.name()) && *attribute.value() != '\0')
-          roles.push_back({attribute.value(), attribute.name()});
-  }
-
-  void points(const pugi::xml_node& node, std::size_t points, VtkPiece& piece) {
-    const pugi::xml_node place = node.child("Points").find_child(is_vtu_array);
-    if (place) {
-      Column coordinates = file_.column(place, points, document_.dropped);
-      if (coordinates.components != 3)
-        file_.fail(place, fmt::format("expected points of 3 coordinates, found {}", coordinates.components));
-      if (coordinates.texts.empty()) {
-        piece.points.resize(points);
-        for (std::size_t i = 0; i < 3 * points; ++i)
-          piece.points[i / 3][static_cast<Eigen::Index>(i % 3)] = number_at<double>(coordinates, i);
-      }
-    }
-    if (piece.points.size() != points)
-      file_.fail(node, fmt::format("expected the coordinates of {}", counted(points, "points")));
-  }
-
-  std::vector<std::int64_t> integers(const pugi::xml_node& parent, const char* name,
-                                     std::optional<std::size_t> items) {
-    const pugi::xml_node array = parent.find_child_by_attribute("Name", name);
-    return array ? file_.integers(array, items, document_.dropped) : std::vector<std::int64_t>{};
+  void read(const pugi::xml_node& node, VtkPiece& piece) {
+    const std::size_t points = file_.count(node, "NumberOfPoints");
+    parts_.points(node, points, piece);
+    kind_ == Grid::unstructured ? cells(node, piece) : polygons(node, piece);
+    parts_.data(node, points, piece.types.size(), piece);
   }
 
   void cells(const pugi::xml_node& node, VtkPiece& piece) {
     const std::size_t cells = file_.count(node, "NumberOfCells");
     const pugi::xml_node of_cells = node.child("Cells");
-    piece.connectivity = integers(of_cells, "connectivity", std::nullopt);
-    piece.ends = integers(of_cells, "offsets", cells);
-    piece.types = integers(of_cells, "types", cells);
+    piece.connectivity = parts_.integers(of_cells, "connectivity", std::nullopt);
+    piece.ends = parts_.integers(of_cells, "offsets", cells);
+    piece.types = parts_.integers(of_cells, "types", cells);
     if (piece.types.size() != cells)
       file_.fail(node, fmt::format("expected the types of {}", counted(cells, "cells")));
     if (piece.ends.size() != cells)
       file_.fail(node, fmt::format("expected the offsets of {}", counted(cells, "cells")));
-    piece.faces = integers(of_cells, "faces", std::nullopt);
-    piece.face_ends = integers(of_cells, "faceoffsets", std::nullopt);
-    if (piece.face_ends.empty() && !piece.faces.empty())
-      add_loss(document_.dropped, "faces of cells without \"faceoffsets\"", piece.faces.size(),
-               fmt::format("line {}", file_.line_of(of_cells)));
-    if (!piece.face_ends.empty() && piece.face_ends.size() != cells)
-      file_.fail(of_cells, fmt::format("expected the offsets of faces of {}, found {}",
-                                       counted(cells, "cells"), piece.face_ends.size()));
+    faces(of_cells, cells, piece);
+  }
+
+  // Polyhedra: since VTK 9.4 by four arrays, before by two.
+  void faces(const pugi::xml_node& of_cells, std::size_t cells, VtkPiece& piece) {
+    const VtkFaces faces{parts_.integers(of_cells, "face_connectivity", std::nullopt),
+                         parts_.integers(of_cells, "face_offsets", std::nullopt),
+                         parts_.integers(of_cells, "polyhedron_to_faces", std::nullopt),
+                         parts_.integers(of_cells, "polyhedron_offsets", std::nullopt)};
+    piece.faces = parts_.integers(of_cells, "faces", std::nullopt);
+    piece.face_ends = parts_.integers(of_cells, "faceoffsets", std::nullopt);
+    std::size_t found = piece.face_ends.size();
+    const char* other = "faceoffsets";
+    if (!faces.empty()) {
+      parts_.lose("\"faces\" of cells that have \"face_connectivity\"", piece.faces.size(), of_cells);
+      piece.faces.clear(), piece.face_ends.clear();
+      const std::string wrong = faces.lists(piece.faces, piece.face_ends);
+      if (!wrong.empty()) file_.fail(of_cells, wrong + piece.which);
+      found = faces.ends.size();
+      other = "polyhedron_offsets";
+    }
+    if (found == 0 && !piece.faces.empty())
+      parts_.lose("faces of cells without \"faceoffsets\"", piece.faces.size(), of_cells);
+    if ((found != 0 || !faces.empty()) && found != cells)
+      file_.fail(of_cells,
+                 fmt::format("expected {} of \"{}\", found {}", counted(cells, "values"), other, found));
   }
 
   // The cells of the four lists come in this order, and so do their data.
@@ -160,86 +159,37 @@ class Reader {
                               {"Strips", "NumberOfStrips", vtk_strip}};
     for (const List& list : lists) {
       const std::size_t cells = file_.count(node, list.count, "0");
-      if (cells == 0) continue;
       const pugi::xml_node of_list = node.child(list.element);
-      const std::vector<std::int64_t> connectivity = integers(of_list, "connectivity", std::nullopt),
-                                      ends = integers(of_list, "offsets", cells);
+      if (cells == 0) {
+        if (!node.attribute(list.count))
+          parts_.lose(fmt::format("cells of <{}> without {}", list.element, list.count),
+                      parts_.integers(of_list, "offsets", std::nullopt).size(), of_list, true);
+        continue;
+      }
+      const std::vector<std::int64_t> connectivity = parts_.integers(of_list, "connectivity", std::nullopt),
+                                      ends = parts_.integers(of_list, "offsets", cells);
       if (ends.size() != cells)
         file_.fail(node,
                    fmt::format("expected the offsets of {} in <{}>", counted(cells, "cells"), list.element));
-      if (ends.back() != static_cast<std::int64_t>(connectivity.size()))
-        file_.fail(of_list,
-                   fmt::format("expected {} as the last offset, found {}", connectivity.size(), ends.back()));
-      const auto start = static_cast<std::int64_t>(piece.connectivity.size());
-      piece.connectivity.insert(piece.connectivity.end(), connectivity.begin(), connectivity.end());
-      for (const std::int64_t end : ends) {
+      for (const std::int64_t end : ends)
         if (end < 0 || end > static_cast<std::int64_t>(connectivity.size()))
           file_.fail(of_list,
                      fmt::format("expected an offset from 0 to {}, found {}", connectivity.size(), end));
-        piece.ends.push_back(start + end);
-      }
+      parts_.lose("numbers of points behind those of the last cell",
+                  connectivity.size() - static_cast<std::size_t>(ends.back()), of_list);
+      const auto start = static_cast<std::int64_t>(piece.connectivity.size());
+      piece.connectivity.insert(piece.connectivity.end(), connectivity.begin(),
+                                connectivity.begin() + ends.back());
+      for (const std::int64_t end : ends) piece.ends.push_back(start + end);
       piece.types.insert(piece.types.end(), cells, list.type);
     }
-  }
-
-  // A structured piece: from which to which index it goes, and its points.
-  void lattice(const pugi::xml_node& grid, const pugi::xml_node& node, VtkPiece& piece) {
-    std::array<std::int64_t, 6> extent{0, -1, 0, -1, 0, -1};
-    file_.integers_in(grid, "WholeExtent", extent);
-    file_.integers_in(node, "Extent", extent);
-    constexpr std::int64_t most_index = std::numeric_limits<std::int32_t>::max();
-    VtkImage image;
-    VtkDimensions dimensions;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t first = extent[2 * k], last = extent[2 * k + 1];
-      if (first < -most_index || last > most_index || last < first - 1)
-        file_.fail(node, fmt::format("expected an Extent, found {} to {}", first, last));
-      image.first[k] = first;
-      dimensions[k] = last - first + 1;
-    }
-    const std::int64_t count = lattice_points(dimensions, std::numeric_limits<Index>::max());
-    if (count >= 0)  // the data come first: they show that there can be so many points
-      data(node, static_cast<std::size_t>(count), static_cast<std::size_t>(lattice_cells(dimensions)), piece);
-    const bool has_data = !piece.point_data.empty() || !piece.cell_data.empty();
-    if (count < 0 || (!has_data && static_cast<std::int64_t>(document_.points.size()) + count >
-                                       most_lattice_points(size_)))
-      file_.fail(node, fmt::format("{} points are more than a file of {} can have data for",
-                                   fmt::join(dimensions, " x "), counted(size_, "bytes")));
-    if (kind_ == Grid::structured) {
-      points(node, static_cast<std::size_t>(count), piece);
-    } else if (kind_ == Grid::image) {
-      file_.reals_in(grid, "Origin", image.origin);
-      file_.reals_in(grid, "Spacing", image.spacing);
-      file_.reals_in(grid, "Direction", image.direction);
-      add_image_points(dimensions, image, piece);
-    } else {
-      add_lattice_points(axes(node, dimensions), piece);
-    }
-    add_lattice_cells(dimensions, piece);
-    document_.warnings.push_back(fmt::format("{}: {}{}", document_.path,
-                                             lattice_in_words("a structured grid", dimensions), piece.which));
-  }
-
-  // The coordinates along the three axes. A piece may have those of the whole grid.
-  std::array<std::vector<double>, 3> axes(const pugi::xml_node& node, const VtkDimensions& dimensions) {
-    std::array<std::vector<double>, 3> found;
-    std::size_t k = 0;
-    each_array(node, "Coordinates", [&](const pugi::xml_node& array) {
-      if (k == 3) file_.fail(array, "expected three arrays of coordinates, found a fourth");
-      const auto items = static_cast<std::size_t>(dimensions[k]);
-      const Column column = file_.column(array, items, document_.dropped);
-      if (!column.texts.empty() || column.components != 1) file_.fail(array, "expected coordinates");
-      for (std::size_t i = 0; i < items; ++i) found[k].push_back(number_at<double>(column, i));
-      ++k;
-    });
-    if (k != 3) file_.fail(node, fmt::format("expected three arrays of <Coordinates>, found {}", k));
-    return found;
   }
 
   VtuFile file_;
   const std::size_t size_;  // of the file
   Grid kind_ = Grid::unstructured;
   Document document_;
+  VtuParts parts_;
 };
 
 }  // namespace

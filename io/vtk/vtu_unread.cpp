@@ -56,7 +56,13 @@ bool has(const auto& names, std::string_view name) {
 }
 
 // The arrays that only <Cells> has.
-constexpr std::string_view of_cells[] = {"types", "faces", "faceoffsets"};
+constexpr std::string_view of_cells[] = {"types",
+                                         "faces",
+                                         "faceoffsets",
+                                         "face_connectivity",
+                                         "face_offsets",
+                                         "polyhedron_to_faces",
+                                         "polyhedron_offsets"};
 
 bool is_list_of_cells(std::string_view element) {
   constexpr std::string_view lists[] = {"Cells", "Verts", "Lines", "Strips", "Polys"};

@@ -145,6 +145,22 @@ const std::vector<Case> of_vtu{
                           "<DataArray type=\"Int32\" Name=\"faces\">-1</DataArray>\n"))}},
      {"faces of cells without \"faceoffsets\": 1 (line 5)", "array \"types\" of <Cells>: 1 (line 9)",
       "a further <Points>: 1 (line 12)", "a further <Cells>: 1 (line 13)"}},
+    {"FacesBehindTheLastPolyhedron",
+     {{"a.vtu", vtu(piece("",
+                          "<DataArray type=\"Int32\" Name=\"faces\">1 3 0 1 2 7 8</DataArray>"
+                          "<DataArray type=\"Int32\" Name=\"faceoffsets\">5</DataArray>",
+                          "42"))}},
+     {"numbers of faces behind those of the last polyhedron: 2 (7)"}},
+    {"PolygonsThatAreNotCountedAndNumbersBehindThem",
+     {{"a.vtp",
+       "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"1\" NumberOfVerts=\"1\"><Points>"
+       "<DataArray type=\"Int8\" NumberOfComponents=\"3\">1 2 3</DataArray></Points>\n<Verts>"
+       "<DataArray type=\"Int8\" Name=\"connectivity\">0 0 0</DataArray><DataArray type=\"Int8\" "
+       "Name=\"offsets\">1</DataArray></Verts>\n<Polys><DataArray type=\"Int8\" "
+       "Name=\"connectivity\">0 0 0</DataArray><DataArray type=\"Int8\" Name=\"offsets\">3"
+       "</DataArray></Polys></Piece></PolyData></VTKFile>"}},
+     {"numbers of points behind those of the last cell: 2 (line 3)",
+      "cells of <Polys> without NumberOfPolys: 1 (line 4)"}},
     {"BytesBehindValues",
      {{"a.vtu", vtu(piece("<CellData><DataArray type=\"Int8\" Name=\"a\" "
                           "format=\"binary\">AQAAAAc=AAAA</DataArray></CellData>"))}},

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
             "<Points><DataArray type=\"Int8\" NumberOfComponents=\"3\">1 2 3</DataArray></Points>\n<Verts>"
             "<DataArray type=\"Int8\" Name=\"connectivity\">0</DataArray><DataArray type=\"Int8\" "
             "Name=\"offsets\">2</DataArray></Verts></Piece></PolyData></VTKFile>",
-            "a.vtp:3: expected 1 as the last offset, found 2"},
+            "a.vtp:3: expected an offset from 0 to 1, found 2"},
         RefusedFile{"TagsCross", "a.vtu", "<VTKFile type=\"UnstructuredGrid\">\n<a></b>\n</VTKFile>",
                     "a.vtu:2: expected XML: Start-end tags mismatch"},
         RefusedFile{"OtherCompressor", "a.vtu", vtu("", "compressor=\"vtkMineDataCompressor\""),
