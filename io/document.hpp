@@ -89,6 +89,7 @@ struct Values {
   std::string interpolation;  ///< the name of its interpolation scheme
 
   std::vector<std::string> roles{};  ///< in VTK's attributes: "Scalars", "Vectors", "GlobalIds", ...
+  bool texts = false;                ///< VTK's files have the labels as texts in place of the integers
 
   /// By which power of lengths they grow with the mesh, where a join has left no format that tells. 0: not,
   /// or the format tells.

@@ -72,6 +72,11 @@ Edit prune(Document& document);
 /// nothing. Lost: sections, which may name numbers.
 Edit renumber(Document& document);
 
+/// Gives the elements values "group names": the names of their groups (", " between several; the number of a
+/// group without a name; empty without a group), as texts in VTK's files. ParaView shows these; meshio reads
+/// no texts. InputError if no group has a name.
+Edit add_group_texts(Document& document);
+
 /// The elements of one physical group, and their points.
 struct GroupPart {
   /// For the name of a file: "steel", "7", "ungrouped". Different for all parts, capitals or not.

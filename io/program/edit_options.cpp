@@ -77,6 +77,11 @@ void declare_edits(CLI::App& app, EditOptions& options) {
       ->group(group);
   app.add_flag("--prune", options.prune, "leave out points that no element has")->group(group);
   app.add_flag("--renumber", options.renumber, "number nodes and elements from 1 on")->group(group);
+  app.add_flag(
+         "--group-texts", options.group_texts,
+         "add the names of groups to the elements, as texts in VTK's files: ParaView shows them, meshio "
+         "reads no texts")
+      ->group(group);
   app.add_flag("--split-by-group", options.split_by_group,
                "write one file for each physical group, with its points alone: OUT_NAME.ending")
       ->group(group);
@@ -119,6 +124,7 @@ std::vector<DoneEdit> apply_edits(const Common& common, const EditOptions& optio
   if (options.triangulate) add("--triangulate", io::triangulate(document));
   if (options.prune) add("--prune", io::prune(document));
   if (options.renumber) add("--renumber", io::renumber(document));
+  if (options.group_texts) add("--group-texts", io::add_group_texts(document));
   return all;
 }
 

@@ -20,7 +20,7 @@ struct EditOptions {
   std::string translate;
   std::string merge_points;  ///< empty: no; "exact" or a tolerance
   std::string only;
-  bool boundary = false, triangulate = false, prune = false, renumber = false;
+  bool boundary = false, triangulate = false, prune = false, renumber = false, group_texts = false;
   bool split_by_group = false;
 };
 

@@ -66,7 +66,9 @@ class Joiner {
     } else if (name == "element_node_values") {
       all_values(d.element_node_values);
     } else if (name == "roles") {
-      roles();
+      in_(named_values().roles);
+    } else if (name == "texts") {
+      named_values().texts = true;
     } else if (name == "facets") {
       in_(d.facets);
     } else if (name == "holes") {
@@ -163,13 +165,14 @@ class Joiner {
     all = std::move(joined);
   }
 
-  void roles() {
+  // The values of which a field gives the kind and the place.
+  Values& named_values() {
     std::vector<Values>* all[] = {&native_.node_values, &native_.element_values,
                                   &native_.element_node_values};
     std::size_t kind = 0, place = 0;
     in_(kind, place);
     if (kind >= std::size(all) || place >= all[kind]->size()) in_.fail("there are no such values");
-    in_((*all[kind])[place].roles);
+    return (*all[kind])[place];
   }
 
   void make_integers(Values& values) {

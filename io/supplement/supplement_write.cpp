@@ -97,14 +97,16 @@ void put_faces(Encoder& out, const Document& document) {
     if (!document.blocks[b].faces.empty()) out.field("faces", b, document.blocks[b].faces);
 }
 
-// The roles of values, likewise.
+// The roles of values, and that they are texts, likewise.
 void put_roles(Encoder& out, const Document& document) {
   const std::vector<Values>* all[] = {&document.node_values, &document.element_values,
                                       &document.element_node_values};
   for (std::size_t kind = 0; kind < std::size(all); ++kind)
-    for (std::size_t k = 0; k < all[kind]->size(); ++k)
-      if (const Values& values = (*all[kind])[k]; !values.roles.empty())
-        out.field("roles", kind, k, values.roles);
+    for (std::size_t k = 0; k < all[kind]->size(); ++k) {
+      const Values& values = (*all[kind])[k];
+      if (!values.roles.empty()) out.field("roles", kind, k, values.roles);
+      if (values.texts) out.field("texts", kind, k);
+    }
 }
 
 // Whether the native part has all elements in this order. If not, values in it would belong to other

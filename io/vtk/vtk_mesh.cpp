@@ -81,7 +81,7 @@ class Maker {
     VtkArray array{.name = name, .components = values.components, .roles = values.roles};
     if (has_vtk_role(values, written && has_entities_))
       array.attribute = vtk_word_of_role(values.roles[0], values.components);
-    if (are_texts(document_, values, items)) return add_texts(to, std::move(array), values, written);
+    if (are_texts(values, items)) return add_texts(to, std::move(array), values, written);
     const bool whole = covers(values, items) && (!written || written->size() == items);
     const auto take = [&](const auto& from, auto& own, auto& span, auto filler) {
       if (whole) {

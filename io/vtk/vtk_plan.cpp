@@ -187,7 +187,7 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     const auto held = numbers(values, of);
     const std::size_t items = of == Of::node ? document.points.size() : document.elements();
     return held && held->gaps == 0 && held->name == values.name && !has_step(values) &&
-           (values.labels.empty() || are_texts(document, values, items));
+           (values.labels.empty() || are_texts(values, items));
   };
   std::set<const Table*> tables;
   for (const auto& [of, in, name] : plan.fields) {
@@ -205,9 +205,8 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
 
 }  // namespace
 
-bool are_texts(const Document& document, const Values& values, std::size_t items) {
-  if (values.labels.empty() || !is_of_vtk(document) || !covers(values, items) ||
-      !are_vtu_strings(values.labels))
+bool are_texts(const Values& values, std::size_t items) {
+  if (values.labels.empty() || !values.texts || !covers(values, items) || !are_vtu_strings(values.labels))
     return false;
   // The numbers are the reader's, which gives them out as texts come up. Edits leave them in another order.
   return values.reals.empty() &&

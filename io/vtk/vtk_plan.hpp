@@ -38,7 +38,7 @@ bool covers(const Values& values, std::size_t items);
 
 /// Whether values are written as the texts that their labels are. So are those that came from such a file;
 /// not those of other formats, since few programs read texts. The texts come back, with numbers of their own.
-bool are_texts(const Document& document, const Values& values, std::size_t items);
+bool are_texts(const Values& values, std::size_t items);
 
 /// Whether a legacy file gives the values the first of their roles, which makes them an attribute instead of
 /// an array in a FIELD. `beside_entities`: behind the array of entities.

@@ -25,6 +25,7 @@ void count_wrapped(Document& document, const Column& column, const std::string& 
 
 // Numbers texts as they come up, behind those that have a number already.
 void number_texts(std::vector<std::string>&& texts, Values& values, VtkLabels& labels) {
+  values.texts = true;
   auto& known = labels[values.name];
   if (known.size() != values.labels.size()) known.clear();  // those of other values of this name
   for (std::size_t k = known.size(); k < values.labels.size(); ++k)

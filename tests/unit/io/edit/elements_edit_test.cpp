@@ -9,6 +9,27 @@
 namespace tetproof::test {
 namespace {
 
+TEST(GroupTexts, AreTextsInVtksFiles) {
+  Document document = two_tets();
+  EXPECT_EQ(said(io::add_group_texts(document)),
+            "4 of 4 elements have the names or numbers of their groups as values \"group names\"");
+  const TestFiles files;
+  for (const char* name : {"a.vtu", "a.vtk"}) {
+    const std::string path = files.path(name);
+    write_document(path, document, {.binary = false});
+    const Document back = read_document(path);
+    const auto texts = std::find_if(back.element_values.begin(), back.element_values.end(),
+                                    [](const Values& values) { return values.name == "group names"; });
+    ASSERT_NE(texts, back.element_values.end()) << name;
+    EXPECT_TRUE(texts->texts) << name;
+    std::vector<std::string> all;
+    for (const std::int64_t i : texts->integers) all.push_back(texts->labels.at(static_cast<std::size_t>(i)));
+    EXPECT_EQ(all, (std::vector<std::string>{"5", "bottom", "steel", "2"})) << name;
+  }
+  document.group_names.clear();
+  EXPECT_THROW(io::add_group_texts(document), InputError);
+}
+
 TEST(KeepOnly, KeepsNumbersValuesAndGroups) {
   Document document = two_tets();
   EXPECT_EQ(said(io::keep_only(document, "tetrahedra")),
