@@ -15,18 +15,27 @@ struct TagWord {
   std::string_view tools;  ///< that write it
 };
 
-inline constexpr std::string_view own_group_word = "gmsh:physical", own_entity_word = "gmsh:geometrical";
+inline constexpr std::string_view own_group_word = "gmsh:physical", own_entity_word = "gmsh:geometrical",
+                                  old_group_word = "group";
 
 /// If a file has several words for the same tag, the first of these counts, and the others are data.
 inline constexpr std::array tag_words{
     TagWord{own_group_word, Tag::group, "tetproof, and meshio for Gmsh's groups"},
-    TagWord{"group", Tag::group, "tetproof, before it took meshio's word"},
+    TagWord{old_group_word, Tag::group, "tetproof, before it took meshio's word"},
     TagWord{"medit:ref", Tag::group, "MMG, and meshio for Medit's references"},
     TagWord{"tetgen:ref", Tag::group, "meshio for TetGen's attributes and markers"},
     TagWord{"Label", Tag::group, "FreeFem"},
     TagWord{"MaterialID", Tag::group, "deal.II"},
     TagWord{"material", Tag::group, "MFEM's and Elmer's .vtk"},
     TagWord{"attribute", Tag::group, "MFEM's .vtu"},
+    TagWord{"cell_scalars", Tag::group, "TetGen's .vtk"},
+    TagWord{"GeometryIds", Tag::group, "Elmer's .vtu"},
+    TagWord{"MaterialIDs", Tag::group, "OpenGeoSys"},
+    TagWord{"nastran:ref", Tag::group, "meshio for Nastran's properties"},
+    TagWord{"ugrid:ref", Tag::group, "meshio for UGRID's boundaries and volumes"},
+    TagWord{"avsucd:material", Tag::group, "meshio for AVS-UCD's materials"},
+    TagWord{"su2:tag", Tag::group, "meshio for SU2's markers"},
+    TagWord{"netgen:index", Tag::group, "meshio for Netgen's regions and boundaries"},
     TagWord{own_entity_word, Tag::entity, "tetproof, and meshio for Gmsh's entities"},
     TagWord{"entity", Tag::entity, "tetproof, before it took meshio's word"},
     TagWord{"CellEntityIds", Tag::entity, "Gmsh's .vtk"}};

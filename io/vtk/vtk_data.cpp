@@ -10,7 +10,6 @@
 #include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
-#include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_words.hpp"
 
@@ -68,9 +67,8 @@ void VtkDataReader::attribute(const std::string& name, std::string_view word) {
 
 // Arrays of tags become what they say, and have no use for a role.
 void VtkDataReader::add_role(const Column& column, std::string_view word) {
-  if (data_ == &piece_.cell_data && may_be_tags(column) &&
-      std::any_of(tag_words.begin(), tag_words.end(),
-                  [&](const TagWord& w) { return w.word == column.name; }))
+  if (data_ == &piece_.cell_data && column.components == 1 && column.texts.empty() &&
+      may_be_vtk_tag_name(column.name) && may_be_tags(column.name, column.integers, column.reals))
     return;
   roles_.push_back({column.name, std::string(word)});
 }

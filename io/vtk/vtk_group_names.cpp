@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vtk/vtk_group_names.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -26,7 +27,7 @@ Groups groups_of_elements(const Document& document) {
 bool is_name(const Table& table, const Groups& groups) {
   if (table.columns.size() != 1 || table.columns[0].name != table.name) return false;
   const std::vector<std::int64_t>& numbers = table.columns[0].integers;
-  return numbers.size() == 2 && numbers[1] >= 0 && numbers[1] <= 3 &&
+  return table.columns[0].components == 1 && numbers.size() == 2 && numbers[1] >= 0 && numbers[1] <= 3 &&
          groups.contains({static_cast<int>(numbers[1]), numbers[0]});
 }
 
@@ -37,10 +38,13 @@ std::vector<const GroupName*> names_in_vtk(const Document& document) {
   if (document.group_names.empty()) return names;
   const Groups groups = groups_of_elements(document);
   std::set<std::string> taken;
+  Groups named;
   for (const GroupName& name : document.group_names)
     if (!name.name.empty() && is_xml_text(name.name) && groups.contains({name.dim, name.group}) &&
-        taken.insert(name.name).second)
+        !taken.contains(name.name) && named.emplace(name.dim, name.group).second) {
+      taken.insert(name.name);
       names.push_back(&name);
+    }
   return names;
 }
 
@@ -58,16 +62,23 @@ Table table_of_names(const std::vector<const GroupName*>& names) {
 void take_group_names(Document& document) {
   if (document.tables.empty()) return;
   const Groups groups = groups_of_elements(document);
+  Groups named;
   std::erase_if(document.tables, [&](const Table& table) {
     if (!is_name(table, groups)) return false;
     const std::vector<std::int64_t>& numbers = table.columns[0].integers;
+    if (!named.emplace(static_cast<int>(numbers[1]), numbers[0]).second) return false;
     document.group_names.push_back({static_cast<int>(numbers[1]), numbers[0], table.name});
     return true;
   });
 }
 
 bool is_taken_for_name(const Document& document, const Table& table) {
-  return is_name(table, groups_of_elements(document));
+  if (!is_name(table, groups_of_elements(document))) return false;
+  const std::vector<std::int64_t>& numbers = table.columns[0].integers;
+  const auto names = names_in_vtk(document);
+  return std::none_of(names.begin(), names.end(), [&](const GroupName* name) {
+    return name->group == numbers[0] && name->dim == numbers[1];
+  });
 }
 
 }  // namespace tetproof::io

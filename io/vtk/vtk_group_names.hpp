@@ -10,7 +10,7 @@
 
 namespace tetproof::io {
 
-/// The names that come back: those that XML can hold, each once, of a group that some element has.
+/// The names that come back: those that XML can hold, each once, and one of each group that some element has.
 std::vector<const GroupName*> names_in_vtk(const Document& document);
 
 /// A column for each of these names.
@@ -19,7 +19,7 @@ Table table_of_names(const std::vector<const GroupName*>& names);
 /// Whether a table of the document would be taken for the name of a group.
 bool is_taken_for_name(const Document& document, const Table& table);
 
-/// Makes names of groups of the field data that are such arrays.
+/// Makes names of groups of the field data that are such arrays: the first of each group.
 void take_group_names(Document& document);
 
 }  // namespace tetproof::io

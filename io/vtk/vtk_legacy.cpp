@@ -32,8 +32,14 @@ std::string VtkLegacyScanner::type() {
   if (type.empty()) {
     const std::string_view tried = vtk_type_tried_for(found);
     if (tried.empty()) fail("the type of numbers", found);
-    if (odd_types_.size() < most_odd_types)
-      odd_types_.push_back({std::string(found), line(), std::string(tried)});
+    const auto known = std::find_if(odd_types_.begin(), odd_types_.end(),
+                                    [&](const OddType& odd) { return odd.word == found; });
+    if (known != odd_types_.end())
+      ++known->count;
+    else if (odd_types_.size() < most_odd_types)
+      odd_types_.push_back({std::string(found), line(), std::string(tried), 1});
+    else
+      ++odd_types_.back().others;
     return type_of_vtk_word(tried);
   }
   return type;

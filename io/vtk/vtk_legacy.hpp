@@ -32,8 +32,10 @@ class VtkLegacyScanner : public Scanner {
   /// A word that VTK takes for a type, because it begins with the type's name: "int1".
   struct OddType {
     std::string word;
-    std::int64_t line;
+    std::int64_t line;  ///< of the first
     std::string type;
+    std::int64_t count = 0;
+    std::int64_t others = 0;  ///< behind the last one: of further words
   };
   const std::vector<OddType>& odd_types() const { return odd_types_; }
 

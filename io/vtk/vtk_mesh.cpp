@@ -30,9 +30,11 @@ class Maker {
         const auto& tags = document.tag_sets[static_cast<std::size_t>(block.groups)];
         return k < tags.size() ? tags[k] : 0;
       });
+    if (plan.negative) add_negative(*plan.negative, plan.groups[0]);
     for (std::size_t k = 0; k < plan.element_values.size(); ++k)
-      add_values(mesh_.cell_data, plan.element_values[k], document.element_values[k], &mesh_.elements,
-                 document.elements());
+      if (&document.element_values[k] != plan.negative)
+        add_values(mesh_.cell_data, plan.element_values[k], document.element_values[k], &mesh_.elements,
+                   document.elements());
     for (const VtkPlan::Field& field : plan.fields) add_field(*field.column, field.name);
   }
 
@@ -140,6 +142,21 @@ class Maker {
     }
     mesh_.own_integers.push_back(std::move(values));
     mesh_.cell_data.push_back({.name = name, .type = "Int64", .integers = mesh_.own_integers.back()});
+  }
+
+  // Puts negative numbers into the array of groups, in which they stood.
+  void add_negative(const Values& values, const std::string& groups) {
+    const auto array = std::find_if(mesh_.cell_data.begin(), mesh_.cell_data.end(),
+                                    [&](const VtkArray& one) { return one.name == groups; });
+    std::vector<std::int64_t> all(array->integers.begin(), array->integers.end());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      while (k < values.at.size() && static_cast<std::size_t>(values.at[k]) < mesh_.elements[i]) ++k;
+      if (k < values.at.size() && static_cast<std::size_t>(values.at[k]) == mesh_.elements[i])
+        all[i] = values.integers[k];
+    }
+    mesh_.own_integers.push_back(std::move(all));
+    array->integers = mesh_.own_integers.back();
   }
 
   void add_field(const Column& column, const std::string& name) {

@@ -12,10 +12,10 @@
 #include "io/loss/loss_list.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
-#include "io/model/tag_words.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_information.hpp"
 #include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_piece_tags.hpp"
 #include "io/vtk/vtk_polyhedron.hpp"
 #include "io/vtk/vtk_values.hpp"
 
@@ -54,6 +54,7 @@ class Adder {
         piece_(piece),
         whole_(whole),
         sets_(sets),
+        tags_(document, piece),
         base_(document.points.size()),
         first_(document.elements()) {}
 
@@ -65,8 +66,8 @@ class Adder {
     else
       document_.points.insert(document_.points.end(), piece_.points.begin(), piece_.points.end());
     points_ = document_.points.size() - base_;
-    names();
     cells();
+    tags_.add_negative(first_, changed_ ? &origin_ : nullptr);
     for (Column& column : piece_.point_data)
       add_vtk_values(document_, document_.node_values, std::move(column), {base_, points_},
                      piece_.point_roles, node_labels);
@@ -81,26 +82,6 @@ class Adder {
  private:
   [[noreturn]] void fail(std::string_view message) const {
     throw InputError(fmt::format("{}: {}", document_.path, message));
-  }
-
-  // Takes the arrays of entities and groups out of the cell data.
-  void names() {
-    if (!piece_.tags) piece_.tags = vtk_tag_names({&piece_.cell_data, 1});
-    const auto take = [&](const std::string& name, std::vector<std::int64_t>& to) {
-      if (name.empty() || !take_tags(piece_.cell_data, name, to)) return false;
-      if (to.size() != piece_.types.size())
-        fail(fmt::format("array \"{}\": expected {}, found {}{}", name,
-                         counted(piece_.types.size(), "values"), to.size(), piece_.which));
-      // Entities and groups have no use for a role.
-      std::erase_if(piece_.cell_roles, [&](const VtkRole& role) { return role.array == name; });
-      return true;
-    };
-    take(piece_.tags->entities, entities_);
-    std::vector<std::int64_t> groups;
-    for (const std::string& name : piece_.tags->groups)
-      if (take(name, groups)) groups_.push_back(std::move(groups));
-    if (!piece_.tags->groups.empty() && piece_.tags->groups[0] != own_group_word)
-      document_.group_word = piece_.tags->groups[0];
   }
 
   void cells() {
@@ -142,6 +123,14 @@ class Adder {
     if (dropped.count++ == 0) dropped.first = c, dropped.points = nodes;
   }
 
+  // VTK reads a polyline of one point and the like. It is no element.
+  void leave_out_degenerate(std::size_t c, std::size_t nodes) {
+    left_out_ = true;
+    add_loss(
+        document_.dropped, "cells of too few points", 1,
+        fmt::format("cell {}{}: {} of type {}", c, piece_.which, counted(nodes, "points"), piece_.types[c]));
+  }
+
   void cell(std::size_t c, std::span<const std::int64_t> nodes) {
     const std::int64_t type = piece_.types[c];
     const std::size_t n = nodes.size();
@@ -154,8 +143,7 @@ class Adder {
     if (type == vtk_polyhedron) return polyhedron(c, nodes);
     if (type == vtk_poly_vertex || type == vtk_poly_line || type == vtk_strip) {
       const std::size_t least = type == vtk_poly_vertex ? 1 : type == vtk_poly_line ? 2 : 3;
-      if (n < least)
-        fail(fmt::format("cell {}: expected {} or more, found {}", c, counted(least, "points"), n));
+      if (n < least) return leave_out_degenerate(c, n);
       if (type == vtk_poly_line) return element(c, n == 2 ? line2 : polyline, nodes);
       if (n != least) {
         split_ = true;
@@ -170,8 +158,8 @@ class Adder {
           part(triangle3, {i + 1, i, i + 2});
       return;
     }
-    if (type == vtk_polygon && n > 0)
-      return element(c, n == 3 ? triangle3 : n == 4 ? quadrangle4 : polygon, nodes);
+    if (type == vtk_polygon && n == 0) return leave_out_degenerate(c, n);
+    if (type == vtk_polygon) return element(c, n == 3 ? triangle3 : n == 4 ? quadrangle4 : polygon, nodes);
     if (type == vtk_pixel && n == 4) {
       drop(c, n);
       return part(quadrangle4, {0, 1, 3, 2});
@@ -217,11 +205,8 @@ class Adder {
 
   void element(std::size_t c, int type, std::span<const std::int64_t> nodes,
                std::vector<std::int32_t>&& faces = {}) {
-    const std::int64_t entity = entities_.empty() ? 0 : entities_[c];
-    tags_.clear();
-    for (const auto& groups : groups_)
-      if (groups[c] != 0) tags_.push_back(groups[c]);
-    const std::int32_t groups = groups_.empty() ? 0 : sets_(tags_);
+    const std::int64_t entity = tags_.entity(c);
+    const std::int32_t groups = tags_.groups(c, sets_);
     auto& blocks = document_.blocks;
     const auto each = static_cast<std::int32_t>(nodes.size());
     if (blocks.empty() || blocks.back().first < first_ || blocks.back().type != type ||
@@ -262,10 +247,9 @@ class Adder {
   VtkPiece& piece_;
   const bool whole_;
   TagSets& sets_;
+  VtkPieceTags tags_;
   const std::size_t base_, first_;
   std::size_t points_ = 0;
-  std::vector<std::int64_t> entities_, tags_;
-  std::vector<std::vector<std::int64_t>> groups_;
   std::span<const int> order_;
   std::vector<std::uint32_t> origin_;  // the cell of each element
   bool split_ = false, left_out_ = false, changed_ = false;

@@ -11,13 +11,12 @@
 
 #include "io/bytes/xml_text.hpp"
 #include "io/model/element_types.hpp"
-#include "io/model/tag_words.hpp"
 #include "io/model/values.hpp"
 #include "io/surface/surface_document.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_group_names.hpp"
 #include "io/vtk/vtk_polyhedron.hpp"
-#include "io/vtk/vtk_tags.hpp"
+#include "io/vtk/vtk_tag_plan.hpp"
 #include "io/vtk/vtk_types.hpp"
 #include "io/vtk/vtk_words.hpp"
 
@@ -64,18 +63,6 @@ bool all_of_blocks(const Document& document, auto&& predicate) {
   return std::all_of(document.blocks.begin(), document.blocks.end(), predicate);
 }
 
-bool is_of_vtk(const Document& document) {
-  return document.format == "vtk" || document.format == "vtu";
-}
-
-// Whether an array of entities is needed. The tag 0 is none. The tag 1 is what readers of other formats give
-// to elements that have no other; in VTK's files it is in an array, which is kept.
-bool has_entities(const Document& document) {
-  return !all_of_blocks(document, [of_vtk = is_of_vtk(document)](const ElementBlock& block) {
-    return block.entity == 0 || (block.entity == 1 && !of_vtk);
-  });
-}
-
 // Whether an array can have all of its roles in the file: each role only once.
 bool has_roles_alone(const std::vector<Values>& all, const Values& values) {
   for (const std::string& role : values.roles)
@@ -83,13 +70,6 @@ bool has_roles_alone(const std::vector<Values>& all, const Values& values) {
       if (&other != &values && std::find(other.roles.begin(), other.roles.end(), role) != other.roles.end())
         return false;
   return true;
-}
-
-std::size_t most_groups(const Document& document) {
-  std::size_t most = 0;
-  for (const ElementBlock& block : document.blocks)
-    most = std::max(most, document.tag_sets[static_cast<std::size_t>(block.groups)].size());
-  return most;
 }
 
 // Gives out names for arrays, each once: VTK 9.1 crashes at two cell data of one name.
@@ -111,37 +91,6 @@ class Names {
   std::set<std::string> taken_;
   std::map<std::string, int> last_;  // the last number for a name, less 1
 };
-
-std::vector<std::string> names_of_groups(const Document& document) {
-  std::vector<std::string> names(most_groups(document));
-  for (std::size_t k = 1; k < names.size(); ++k) names[k] = vtk_group_array(k + 1);
-  if (!names.empty())
-    names[0] = !document.group_word.empty() ? document.group_word
-               : document.format == "medit" ? "medit:ref"
-                                            : own_group_word;
-  return names;
-}
-
-// Whether the reader would look at values as tags, if their name is a word for these.
-bool may_be_tags(const Values& values) {
-  return values.components == 1 &&
-         std::any_of(values.integers.begin(), values.integers.end(), [](std::int64_t i) { return i != 0; });
-}
-
-// Whether the reader would take cell data of this name for tags, beside those of the plan.
-bool is_taken_for_tags(const std::string& name, const VtkPlan& plan) {
-  const std::string groups = plan.groups.empty() ? "" : plan.groups[0];
-  if (!groups.empty() && name.starts_with("group ") &&
-      name.find_first_not_of("0123456789", 6) == std::string::npos)
-    return true;
-  bool has_entities = false, has_groups = false;
-  for (const TagWord& word : tag_words) {
-    if (word.word == name) return word.tag == Tag::entity ? !has_entities : !has_groups;
-    has_entities |= word.word == plan.entities;
-    has_groups |= word.word == groups;
-  }
-  return false;
-}
 
 // The columns that can be written. If a table has one column, of the same name, that is the array's name,
 // too.
@@ -183,7 +132,8 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     if (held) held->name = names.at(&values);
     return held;
   };
-  holds.values = [numbers = holds.numbers, &document](const Values& values, Of of) {
+  holds.values = [numbers = holds.numbers, &document, negative = plan.negative](const Values& values, Of of) {
+    if (&values == negative) return true;
     const auto held = numbers(values, of);
     const std::size_t items = of == Of::node ? document.points.size() : document.elements();
     return held && held->gaps == 0 && held->name == values.name && !has_step(values) &&
@@ -236,16 +186,18 @@ bool covers(const Values& values, std::size_t items) {
 
 VtkPlan vtk_plan(const Document& document, const std::string& entities) {
   VtkPlan plan;
-  if (has_entities(document)) plan.entities = entities;
-  plan.groups = names_of_groups(document);
+  if (has_vtk_entities(document)) plan.entities = entities;
+  plan.groups = vtk_names_of_groups(document);
+  plan.negative = negative_vtk_groups(document, plan.groups);
   Names of_nodes, of_cells, of_fields;
   if (!plan.entities.empty()) of_cells.take(plan.entities);
   for (const std::string& group : plan.groups) of_cells.take(group);
   for (const Values& values : document.node_values) plan.node_values.push_back(of_nodes(values.name));
   for (const Values& values : document.element_values)
-    plan.element_values.push_back(of_cells(values.name, [&](const std::string& name) {
-      return may_be_tags(values) && is_taken_for_tags(name, plan);
-    }));
+    plan.element_values.push_back(
+        &values == plan.negative ? values.name : of_cells(values.name, [&](const std::string& name) {
+          return is_taken_for_tags(values, name, plan);
+        }));
   if (const auto named = names_in_vtk(document); !named.empty()) {
     plan.group_names = std::make_shared<Table>(table_of_names(named));
     for (const Column& column : plan.group_names->columns)

@@ -17,7 +17,8 @@ namespace tetproof::io {
 
 struct VtkPlan {
   std::string entities;  ///< the name of the cell data that has the tags of entities; empty: there is none
-  std::vector<std::string> groups;  ///< the names of the cell data that have the first, second, ... group
+  std::vector<std::string> groups;   ///< the names of the cell data that have the first, second, ... group
+  const Values* negative = nullptr;  ///< values that stand in the first of these, for elements without groups
   std::vector<std::string> node_values,
       element_values;  ///< the names of the arrays of each of the document's
 

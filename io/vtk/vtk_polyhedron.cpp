@@ -52,7 +52,7 @@ std::string VtkFaces::lists(std::vector<std::int64_t>& faces_of_cells,
     return all[k] < start || all[k] > static_cast<std::int64_t>(size) ? -1 : all[k];
   };
   // A face has two sides. A file in which many cells name a large face could ask for any memory.
-  const std::size_t most = 8 * (corners.size() + faces.size()) + 1024;
+  const std::size_t most = 4 * (corners.size() + faces.size()) + 1024;
   std::int64_t start = 0;
   for (std::size_t c = 0; c < ends.size(); ++c) {
     const std::int64_t end = end_in(ends, c, start, faces.size());

@@ -2,12 +2,15 @@
 // Reads the sections of VTK's legacy files: points, cells, and what describes structured grids.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 
 #include "io/bytes/text_encoding.hpp"
 #include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk.hpp"
 #include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_data.hpp"
@@ -122,11 +125,17 @@ class Reader {
     };
     const auto integer = [&] { return in_.integer("a number of points"); };
     const auto real = [&] { return in_.real("a coordinate"); };
+    if (name == "blanking") return blanking(), true;
+    if (name == "dimensions" || name == "extent" || name.ends_with("_coordinates")) warn_of_second(name);
     if (name == "dimensions") return three(dimensions_, integer);
     if (name == "extent") {
+      constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
       for (std::size_t k = 0; k < 3; ++k) {
-        image_.first[k] = in_.integer("the first index");
-        dimensions_[k] = in_.integer("the last index") - image_.first[k] + 1;
+        const std::int64_t first = in_.integer("the first index"), last = in_.integer("the last index");
+        if (first < -most || last > most || last < first - 1)
+          in_.fail_in_line(fmt::format("expected an EXTENT, found {} to {}", first, last));
+        image_.first[k] = first;
+        dimensions_[k] = last - first + 1;
       }
       return true;
     }
@@ -141,6 +150,23 @@ class Reader {
     axis.clear();
     for (std::size_t i = 0; i < column_size(column); ++i) axis.push_back(number_at<double>(column, i));
     return true;
+  }
+
+  // VTK takes the last of several.
+  void warn_of_second(const std::string& name) {
+    if (!described_.insert(name).second)
+      document_.warnings.push_back(
+          fmt::format("{}:{}: a second {} replaces the first", document_.path, in_.line(), name));
+  }
+
+  // Old structured grids say which points are visible.
+  void blanking() {
+    const std::int64_t count = in_.count("the number of points", 1);
+    Column column{.type = in_.type()};
+    in_.integers(column, static_cast<std::size_t>(count));
+    const auto hidden = std::count(column.integers.begin(), column.integers.end(), 0);
+    add_loss(document_.dropped, "points that BLANKING hides", static_cast<std::size_t>(hidden),
+             fmt::format("line {}", in_.line()));
   }
 
   void structured() {
@@ -215,9 +241,14 @@ class Reader {
 
   // VTK takes every word that begins with the name of a type for that type.
   void list_odd_types() {
-    for (const auto& [word, line, type] : in_.odd_types())
-      document_.warnings.push_back(
-          fmt::format("{}:{}: the type '{}' is read as {}, as VTK does", document_.path, line, word, type));
+    for (const auto& [word, line, type, count, others] : in_.odd_types()) {
+      document_.warnings.push_back(fmt::format("{}:{}: the type '{}'{} is read as {}, as VTK does",
+                                               document_.path, line, word,
+                                               count > 1 ? fmt::format(", {} times,", count) : "", type));
+      if (others > 0)
+        document_.warnings.push_back(
+            fmt::format("{}: {} by further words of this kind", document_.path, counted(others, "types")));
+    }
   }
 
   struct List {
@@ -235,6 +266,7 @@ class Reader {
   bool has_points_ = false;
   std::vector<std::int64_t> types_;
   std::vector<List> lists_;
+  std::set<std::string> described_;  // by words of a structured grid
   VtkDimensions dimensions_{};
   VtkImage image_;
   std::array<std::vector<double>, 3> axes_;

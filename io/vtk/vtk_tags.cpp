@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "io/model/tag_words.hpp"
 
@@ -11,23 +13,50 @@ namespace tetproof::io {
 namespace {
 
 constexpr std::string_view group_prefix = "group ";
+constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
 
-bool are_plain_integers(const Column& column) {
-  return column.components == 1 && column.reals.empty() && column.texts.empty();
+bool is_entity_word(std::string_view name) {
+  return std::any_of(tag_words.begin(), tag_words.end(),
+                     [&](const TagWord& word) { return word.word == name && word.tag == Tag::entity; });
 }
 
-// Whether the arrays of this name are tags: integers in all pieces that have them, and not zeros in one.
+// Whether numbers contradict that they are tags, and whether they say that they are.
+struct Fit {
+  bool fits = true, any = false;
+};
+
+Fit fit(std::string_view name, std::span<const std::int64_t> integers, std::span<const double> reals) {
+  const bool entities = is_entity_word(name), all = entities || has_any_group(name);
+  Fit fit;
+  for (const std::int64_t tag : integers) {
+    fit.fits &= all || (tag >= -most && tag <= most);
+    fit.any |= all ? tag != 0 : tag > 0;
+  }
+  for (const double tag : reals) {  // -0 would come back as 0
+    fit.fits &= !entities && tag >= 0 && tag <= static_cast<double>(most) && !std::signbit(tag) &&
+                tag == std::trunc(tag);
+    fit.any |= tag > 0;
+  }
+  return fit;
+}
+
+Fit fit(const Column& column) {
+  if (column.components != 1 || !column.texts.empty()) return {.fits = false};
+  return fit(column.name, column.integers, column.reals);
+}
+
 bool are_tags_in(std::span<const std::vector<Column>> pieces, std::string_view name) {
   bool any = false;
   for (const std::vector<Column>& piece : pieces) {
-    bool here = false, integers = false;
+    bool here = false, fits = false;
     for (const Column& column : piece) {
       if (column.name != name) continue;
+      const Fit found = fit(column);
       here = true;
-      integers |= are_plain_integers(column);
-      any |= may_be_tags(column);
+      fits |= found.fits;
+      any |= found.fits && found.any;
     }
-    if (here && !integers) return false;
+    if (here && !fits) return false;
   }
   return any;
 }
@@ -55,20 +84,32 @@ bool may_be_vtk_tag_name(std::string_view name) {
          std::any_of(tag_words.begin(), tag_words.end(), [&](const TagWord& w) { return w.word == name; });
 }
 
-bool may_be_tags(const Column& column) {
-  return are_plain_integers(column) &&
-         std::any_of(column.integers.begin(), column.integers.end(), [](std::int64_t i) { return i != 0; });
+bool may_be_tags(std::string_view name, std::span<const std::int64_t> integers,
+                 std::span<const double> reals) {
+  const Fit found = fit(name, integers, reals);
+  return found.fits && found.any;
+}
+
+bool has_any_group(std::string_view name) {
+  return name == own_group_word || name == old_group_word || name.starts_with(group_prefix);
+}
+
+bool is_common_group(std::int64_t group) {
+  return group > 0 && group <= most;
 }
 
 bool take_tags(std::vector<Column>& columns, const std::string& name, std::vector<std::int64_t>& to) {
-  const auto find = [&](bool (*wanted)(const Column&)) {
-    return std::find_if(columns.begin(), columns.end(),
-                        [&](const Column& column) { return column.name == name && wanted(column); });
+  const auto find = [&](bool with_any) {
+    return std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
+      const Fit found = column.name == name ? fit(column) : Fit{.fits = false};
+      return found.fits && (found.any || !with_any);
+    });
   };
-  auto found = find(may_be_tags);
-  if (found == columns.end()) found = find(are_plain_integers);  // another piece has the tags
+  auto found = find(true);
+  if (found == columns.end()) found = find(false);  // another piece has the tags
   if (found == columns.end()) return false;
   to = std::move(found->integers);
+  for (const double tag : found->reals) to.push_back(static_cast<std::int64_t>(tag));
   columns.erase(found);
   return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,16 +20,23 @@ struct VtkTagNames {
 };
 
 /// Looks through the cell data of all pieces of a file. Of each kind of tag, the first word in
-/// io/model/tag_words.hpp counts that names integers, one for each cell, and not only zeros: these say
-/// nothing, and stay an array. A piece in which the array is something else makes it data in all pieces.
+/// io/model/tag_words.hpp counts whose numbers may be tags. A piece in which they are something else makes
+/// them data in all pieces.
 VtkTagNames vtk_tag_names(std::span<const std::vector<Column>> pieces);
 /// Whether `vtk_tag_names` looks at cell data of this name.
 bool may_be_vtk_tag_name(std::string_view name);
 
-/// Whether cell data are looked at as tags, if their name is a word for these.
-bool may_be_tags(const Column& column);
+/// Whether numbers of this name may be tags: integers, or reals that are whole, as MMG writes them. A group
+/// of another tool than Gmsh is a number of 32 bits; negative ones are none, and stay numbers of their
+/// elements. Zeros alone say nothing.
+bool may_be_tags(std::string_view name, std::span<const std::int64_t> integers,
+                 std::span<const double> reals);
+/// Whether negative numbers under this name are groups, and any number is: Gmsh has them.
+bool has_any_group(std::string_view name);
+/// Whether a group can stand under any name.
+bool is_common_group(std::int64_t group);
 
-/// Takes the integers out of the first column of this name that can be tags. False: there is none.
+/// Takes the numbers of the first column of this name that can be tags. False: there is none.
 bool take_tags(std::vector<Column>& columns, const std::string& name, std::vector<std::int64_t>& to);
 
 /// The name of the array with the k-th group of each element, from 2. The first has one of the words in

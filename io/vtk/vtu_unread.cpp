@@ -20,7 +20,7 @@ namespace {
 // What the reader takes of an element, or anybody can compute, as the range of an array.
 struct Taken {
   std::string_view element;
-  std::vector<std::string_view> attributes, children;  // "array": <DataArray> and <Array>
+  std::vector<std::string_view> attributes, children;  // "DataArray": <Array>, too
 };
 const Taken taken[] = {
     {"VTKFile",
@@ -32,21 +32,21 @@ const Taken taken[] = {
     {"ImageData", {"WholeExtent", "Origin", "Spacing", "Direction"}, {"FieldData", "Piece"}},
     {"RectilinearGrid", {"WholeExtent"}, {"FieldData", "Piece"}},
     {"StructuredGrid", {"WholeExtent"}, {"FieldData", "Piece"}},
-    {"FieldData", {}, {"array"}},
+    {"FieldData", {}, {"DataArray"}},
     {"Piece",
      {"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys",
       "Extent"},
      {"PointData", "CellData", "Points", "Cells", "Verts", "Lines", "Strips", "Polys", "Coordinates"}},
-    {"PointData", {}, {"array"}},
-    {"CellData", {}, {"array"}},
-    {"Points", {}, {"array"}},
-    {"Coordinates", {}, {"array"}},
-    {"Cells", {}, {"array"}},
-    {"Verts", {}, {"array"}},
-    {"Lines", {}, {"array"}},
-    {"Strips", {}, {"array"}},
-    {"Polys", {}, {"array"}},
-    {"array",
+    {"PointData", {}, {"DataArray"}},
+    {"CellData", {}, {"DataArray"}},
+    {"Points", {}, {"DataArray"}},
+    {"Coordinates", {}, {"DataArray"}},
+    {"Cells", {}, {"DataArray"}},
+    {"Verts", {}, {"DataArray"}},
+    {"Lines", {}, {"DataArray"}},
+    {"Strips", {}, {"DataArray"}},
+    {"Polys", {}, {"DataArray"}},
+    {"DataArray",
      {"type", "Name", "NumberOfComponents", "NumberOfTuples", "format", "offset", "RangeMin", "RangeMax",
       "IdType"},
      {"InformationKey"}}};
@@ -70,7 +70,7 @@ bool is_list_of_cells(std::string_view element) {
 }
 
 std::string_view kind_of(const pugi::xml_node& node) {
-  return is_vtu_array(node) ? "array" : node.name();
+  return is_vtu_array(node) ? "DataArray" : node.name();
 }
 
 // A value as an example shows it: not a page of it.
@@ -125,7 +125,7 @@ class Lister {
     const bool of_data = known.element == "PointData" || known.element == "CellData";
     // Roles become those of values, or are listed where these are made.
     if (has(known.attributes, name) || (of_data && is_vtk_role(name))) return;
-    if (known.element == "array" && name.starts_with("ComponentName"))
+    if (known.element == "DataArray" && name.starts_with("ComponentName"))
       add_vtk_component_name(dropped_, node.attribute("Name").value(), attribute.value());
     else
       add(fmt::format("attribute {} of <{}>", name, node.name()), node,

@@ -102,9 +102,10 @@ class Writer {
 
   void start(const char* tag, const std::string& name, const std::string& type, int components, bool counted,
              std::size_t count) {
+    // meshio makes a table of one column where the number is 1.
     file_.write(fmt::format(
-        "<{} type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", tag, type,
-        xml_escaped(name), components,
+        "<{} type=\"{}\" Name=\"{}\"{}{} format=\"{}\">\n", tag, type, xml_escaped(name),
+        components == 1 ? "" : fmt::format(" NumberOfComponents=\"{}\"", components),
         counted ? fmt::format(" NumberOfTuples=\"{}\"", count / static_cast<std::size_t>(components)) : "",
         binary_ ? "binary" : "ascii"));
   }

@@ -54,11 +54,11 @@ TEST(MeshWrite, VtuOfATetMesh) {
             "NumberOfCells=\"1\">\n<Points>\n"
             "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n"
             "0\n0\n0\n0.1\n0\n0\n0\n5e-324\n0\n-0\n0\n1e+22\n</DataArray>\n</Points>\n<Cells>\n"
-            "<DataArray type=\"Int64\" Name=\"connectivity\" NumberOfComponents=\"1\" "
+            "<DataArray type=\"Int64\" Name=\"connectivity\" "
             "format=\"ascii\">\n0\n1\n2\n3\n"
-            "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" NumberOfComponents=\"1\" "
+            "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" "
             "format=\"ascii\">\n4\n"
-            "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" NumberOfComponents=\"1\" "
+            "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" "
             "format=\"ascii\">\n10\n"
             "</DataArray>\n</Cells>\n<PointData>\n</PointData>\n<CellData>\n</CellData>\n</Piece>\n</"
             "UnstructuredGrid>\n"
@@ -83,7 +83,7 @@ TEST(MeshWrite, NamedCellDataInVtu) {
   document.element_values.push_back({.name = "check <1>", .components = 1, .reals = {}, .integers = {-3}});
   const std::string text = written(document, "a.vtu", {.binary = false});
   EXPECT_NE(
-      text.find("<CellData>\n<DataArray type=\"Int64\" Name=\"check &lt;1&gt;\" NumberOfComponents=\"1\" "
+      text.find("<CellData>\n<DataArray type=\"Int64\" Name=\"check &lt;1&gt;\" "
                 "format=\"ascii\">\n-3\n</DataArray>\n</CellData>\n"),
       text.npos)
       << text;

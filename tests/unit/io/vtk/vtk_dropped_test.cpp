@@ -44,6 +44,10 @@ const std::vector<Case> of_vtk{
     {"AnEmptyCell",
      {{"a.vtk", vtk("CELLS 1 1\n0\nCELL_TYPES 1\n0\n")}},
      {"cells of type 0 (empty cell): 1 (cell 0, 0 points)"}},
+    {"DegenerateCells",
+     {{"a.vtk", vtk_polydata("VERTICES 1 1\n0\nLINES 2 6\n1 0\n3 0 1 2\nPOLYGONS 2 3\n0\n1 0\n"
+                             "TRIANGLE_STRIPS 1 3\n2 0 1\n")}},
+     {"cells of too few points: 4 (cell 0: 0 points of type 2)"}},
     {"CellsThatAreCutOrChanged",
      {{"a.vtk", vtk("CELLS 7 34\n2 0 1\n3 0 1 2\n4 0 1 2 3\n2 3 4\n4 0 1 2 3\n8 0 1 2 3 4 5 6 7\n4 0 1 2 3\n"
                     "CELL_TYPES 7\n4 4 4 2 8 11 6\n")}},
@@ -139,6 +143,9 @@ const std::vector<Case> of_vtu{
      {"attribute TimeValues of <UnstructuredGrid>: 1 (line 2: \"0 1 2\")",
       "element <Mine> in <FieldData>: 1 (line 4)", "text in <UnstructuredGrid>: 1 (line 2)",
       "element <Verts> in <Piece>: 1 (line 13)", "element <FieldData> in <Piece>: 1 (line 14)"}},
+    {"AnArrayByAnotherName",
+     {{"a.vtu", vtu(piece("<CellData><array type=\"Int32\" Name=\"a\" format=\"appended\"/></CellData>"))}},
+     {"element <array> in <CellData>: 1 (line 10)"}},
     {"FurtherOnesOfAKind",
      {{"a.vtu", vtu(piece("<Points/>\n<Cells/>\n",
                           "<DataArray type=\"Int32\" Name=\"types\">5</DataArray>\n"

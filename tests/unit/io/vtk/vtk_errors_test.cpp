@@ -36,6 +36,10 @@ INSTANTIATE_TEST_SUITE_P(
             "MorePointsThanTheFileHasDataFor", "a.vtk",
             "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 9999 9999 9999\n",
             "a.vtk:6: 9999 x 9999 x 9999 points are more than a file of 86 bytes can have data for"},
+        RefusedFile{"Extent", "a.vtk",
+                    "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\nEXTENT 0 1 "
+                    "-9223372036854775808 9223372036854775807 0 1\n",
+                    "a.vtk:5: expected an EXTENT, found -9223372036854775808 to 9223372036854775807"},
         RefusedFile{"NegativeDimension", "a.vtk",
                     "# vtk DataFile Version 2.0\n\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 -1 2\n",
                     "a.vtk:6: 2 x -1 x 2 points are more than a file of 78 bytes can have data for"},

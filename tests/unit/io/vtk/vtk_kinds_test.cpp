@@ -48,6 +48,18 @@ TEST(VtkKinds, TypesAsVtkReadsThem) {
             "a.vtk:12: the type 'int1' is read as int, as VTK does");
 }
 
+TEST(VtkKinds, OddTypesAreSaidOncePerWord) {
+  const test::TestFiles files;
+  std::string arrays = "CELL_DATA 1\nFIELD FieldData 16\n";
+  for (int k = 0; k < 16; ++k) arrays += fmt::format("a{} 1 1 int{}\n5\n", k, k < 4 ? 1 : k);
+  const Document document = read_document(files.write("a.vtk", legacy(tet + arrays)));
+  EXPECT_EQ(document.element_values.size(), 16U);
+  ASSERT_EQ(document.warnings.size(), 11U);
+  EXPECT_EQ(document.warnings[0].substr(document.warnings[0].rfind('/') + 1),
+            "a.vtk:13: the type 'int1', 4 times, is read as int, as VTK does");
+  EXPECT_TRUE(document.warnings[10].ends_with("a.vtk: 3 types by further words of this kind"));
+}
+
 TEST(VtkKinds, TypesBeforeCells) {
   const test::TestFiles files;
   const Document document =
@@ -81,6 +93,23 @@ TEST(VtkKinds, StructuredGrids) {
               "c.vtk", legacy("DIMENSIONS 1 1 3\nPOINTS 3 int\n0 0 0 1 2 3 4 4 4\n", "STRUCTURED_GRID"))),
           false),
       "n 0 0 0 0\nn 1 1 2 3\nn 2 4 4 4\ne 0 1 1/0 g p: 0 1\ne 1 1 1/0 g p: 1 2\n");
+}
+
+TEST(VtkKinds, StructuredGridsThatSayThingsTwiceOrHidePoints) {
+  const test::TestFiles files;
+  const Document twice = read_document(
+      files.write("a.vtk", legacy("DIMENSIONS 2 1 1\nX_COORDINATES 2 float\n0 1\nX_COORDINATES 2 float\n5 6\n"
+                                  "Y_COORDINATES 1 float\n0\nZ_COORDINATES 1 float\n0\n",
+                                  "RECTILINEAR_GRID")));
+  EXPECT_EQ(test::text_of(twice, false), "n 0 5 0 0\nn 1 6 0 0\ne 0 1 1/0 g p: 0 1\n");
+  EXPECT_TRUE(twice.warnings.at(0).ends_with("a.vtk:8: a second x_coordinates replaces the first"));
+  const Document hidden = read_document(files.write(
+      "a.vtk", legacy("DIMENSIONS 2 1 1\nBLANKING 2 unsigned_char\n1 0\nPOINTS 2 int\n0 0 0 1 0 0\n",
+                      "STRUCTURED_GRID")));
+  EXPECT_EQ(hidden.points.size(), 2U);
+  ASSERT_EQ(hidden.dropped.size(), 1U);
+  EXPECT_EQ(hidden.dropped[0].item, "points that BLANKING hides");
+  EXPECT_EQ(hidden.dropped[0].count, 1);
 }
 
 TEST(VtkKinds, StructuredGridsInXml) {

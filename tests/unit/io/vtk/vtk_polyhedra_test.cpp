@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "a.vtu:5: expected 3 values of \"polyhedron_offsets\", found 2"},
         RefusedFile{
             "FacesOfVeryManyCells", "a.vtu", many_of_a_face(),
-            "a.vtu:5: cell 0: expected faces of one or two cells each, found more than 33024 corners for "
+            "a.vtu:5: cell 0: expected faces of one or two cells each, found more than 17024 corners for "
             "2000 numbers"}),
     test::name_of);
 

@@ -151,8 +151,9 @@ TEST(VtkFiles, SamplesOfOtherPrograms) {
   EXPECT_EQ(tet_mesh(tetgen).tets,
             (std::vector<std::array<Index, 4>>{
                 {0, 3, 7, 2}, {0, 7, 4, 6}, {5, 0, 4, 6}, {0, 7, 6, 2}, {5, 0, 6, 1}, {6, 0, 2, 1}}));
-  ASSERT_EQ(tetgen.element_values.size(), 1U);
-  EXPECT_EQ(tetgen.element_values[0].integers, std::vector<std::int64_t>(6, 2));
+  EXPECT_TRUE(tetgen.element_values.empty());  // its regions are groups
+  for (const ElementBlock& block : tetgen.blocks)
+    EXPECT_EQ(tetgen.tag_sets.at(static_cast<std::size_t>(block.groups)), std::vector<std::int64_t>{2});
 }
 
 }  // namespace

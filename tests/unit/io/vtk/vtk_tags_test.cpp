@@ -87,9 +87,10 @@ TEST(VtkTags, KeepTheirWordFromVtkToVtk) {
   }
 }
 
-TEST(VtkTags, AreNotTakenFromRealsAndZeros) {
+TEST(VtkTags, AreNotTakenFromFractionsNegativeRealsAndZeros) {
   const test::TestFiles files;
-  for (const std::string& text : {legacy({{"material", "0 0"}}), legacy({{"material", "7 9"}}, "double")}) {
+  for (const std::string& text : {legacy({{"material", "0 0"}}), legacy({{"material", "7 9.5"}}, "double"),
+                                  legacy({{"material", "7 -9"}}, "double")}) {
     const Document document = read_document(files.write("a.vtk", text));
     EXPECT_THAT(tags(document, io::Tag::group), ElementsAre(0, 0));
     ASSERT_EQ(document.element_values.size(), 1u);
@@ -98,6 +99,41 @@ TEST(VtkTags, AreNotTakenFromRealsAndZeros) {
     ASSERT_EQ(back.element_values.size(), 1u);
     EXPECT_EQ(back.element_values[0].name, "material");
   }
+}
+
+// MMG writes its references as floats.
+TEST(VtkTags, AreTakenFromWholeReals) {
+  const test::TestFiles files;
+  const Document document = read_document(files.write("a.vtk", legacy({{"medit:ref", "7 9"}}, "float")));
+  EXPECT_THAT(tags(document, io::Tag::group), ElementsAre(7, 9));
+  EXPECT_THAT(document.element_values, IsEmpty());
+}
+
+// Gmsh turns elements of a negative group inside out, and keeps 32 bits of a group. In its own array such
+// numbers are groups; in those of other tools a negative number stays one of its element, and large ones are
+// data.
+TEST(VtkTags, NegativeNumbersOfOtherToolsStayNumbers) {
+  const test::TestFiles files;
+  const Document of_gmsh = read_document(files.write("a.vtk", legacy({{"gmsh:physical", "-7 9"}})));
+  EXPECT_THAT(tags(of_gmsh, io::Tag::group), ElementsAre(-7, 9));
+  const Document document = read_document(files.write("a.vtk", legacy({{"material", "-7 9"}})));
+  EXPECT_THAT(tags(document, io::Tag::group), ElementsAre(0, 9));
+  ASSERT_EQ(document.element_values.size(), 1u);
+  EXPECT_EQ(document.element_values[0].name, "material");
+  EXPECT_THAT(document.element_values[0].at, ElementsAre(0));
+  EXPECT_THAT(document.element_values[0].integers, ElementsAre(-7));
+  for (const char* name : {"b.vtu", "b.vtk"}) {  // in one array again
+    EXPECT_THAT(losses(files.path(name), document), IsEmpty()) << name;
+    write_document(files.path(name), document);
+    const Document back = read_document(files.path(name));
+    EXPECT_THAT(tags(back, io::Tag::group), ElementsAre(0, 9)) << name;
+    ASSERT_EQ(back.element_values.size(), 1u) << name;
+    EXPECT_THAT(back.element_values[0].at, ElementsAre(0)) << name;
+    EXPECT_THAT(back.element_values[0].integers, ElementsAre(-7)) << name;
+  }
+  const Document large = read_document(files.write("a.vtk", legacy({{"material", "7 2147483648"}}, "long")));
+  EXPECT_THAT(tags(large, io::Tag::group), ElementsAre(0, 0));
+  EXPECT_EQ(large.element_values.size(), 1u);
 }
 
 // Integers of another format that only happen to have such a name stay data, by another name, which is said.
@@ -199,6 +235,18 @@ TEST(VtkTags, OtherFieldDataStays) {
   EXPECT_EQ(read_document(files.path("b.vtu")).tables.size(), 3u);
   document.tables.push_back(table("looks like a name", {9, 3}));
   EXPECT_EQ(losses(files.path("b.vtu"), document).size(), 1u);
+  // A group has one name: behind this one it is a table.
+  document.group_names = {{3, 9, "steel"}};
+  EXPECT_THAT(losses(files.path("b.vtu"), document), IsEmpty());
+  write_document(files.path("b.vtu"), document);
+  EXPECT_EQ(read_document(files.path("b.vtu")).tables.size(), 4u);
+  EXPECT_EQ(read_document(files.path("b.vtu")).group_names.size(), 1u);
+  document.group_names.push_back({3, 9, "iron"});
+  EXPECT_EQ(losses(files.path("b.vtu"), document).size(), 1u);
+  document.group_names.clear();
+  document.tables.back().columns[0].components = 2;  // one pair, not two numbers
+  document.tables.back().rows = 1;
+  EXPECT_THAT(losses(files.path("b.vtu"), document), IsEmpty());
 }
 
 }  // namespace
