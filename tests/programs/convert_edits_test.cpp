@@ -196,7 +196,7 @@ TEST_F(ConvertEdits, Usage) {
             "tetproof-convert: --merge-points: expected a number, found ''\n");
   EXPECT_EQ(said({"a.msh", "c.msh", "--translate", "1,inf,0"}),
             "tetproof-convert: --translate: expected three finite numbers X,Y,Z, found '1,inf,0'\n");
-  for (const char* option : {"--only", "--translate", "--scale"})
+  for (const char* option : {"--only", "--translate", "--scale", "--losses", "--to", "--from"})
     EXPECT_EQ(said({"a.msh", "c.msh", option, ""}),
               std::string("tetproof-convert: ") + option +
                   ": expected a value, found '' (see tetproof-convert --help)\n");
