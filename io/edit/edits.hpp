@@ -33,7 +33,8 @@ Edit join(Document& document, Document&& other);
 /// sizes. Other values stay. InputError if one of them would leave the range of doubles, or become so small
 /// that digits are gone.
 Edit scale(Document& document, double factor);
-/// Moves everything that has a place.
+/// Moves everything that has a place. Lost: places, so far away that rounding moves points by more than a
+/// millionth of the mesh's diagonal. InputError as above.
 Edit translate(Document& document, const Eigen::Vector3d& by);
 
 /// Merges points. Without a tolerance: those with the same coordinates (-0 equals 0, NaN equals nothing).

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "io/bytes/words.hpp"
 #include "io/edit/edits.hpp"
 #include "io/edit/origin.hpp"
 #include "io/error.hpp"
+#include "io/loss/loss_list.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -97,6 +99,26 @@ class Placing {
   const Map& map_;
 };
 
+// Points that rounding puts beside their place by more than a millionth of the mesh: far from the origin few
+// places are left, and points of a small mesh fall on each other.
+std::vector<Loss> rounded_places(const Document& document, const Eigen::Vector3d& by) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(Limits::max()), high = -low;
+  for (const Eigen::Vector3d& point : document.points)
+    if (point.allFinite()) low = low.cwiseMin(point), high = high.cwiseMax(point);
+  const double most = 1e-6 * (high - low).stableNorm();
+  std::size_t count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < document.points.size(); ++i) {
+    const Eigen::Vector3d& point = document.points[i];
+    const double off = (((point + by) - by) - point).stableNorm();
+    if (!point.allFinite() || most == 0 || !(off > most)) continue;  // one place has no shape to lose
+    if (count++ == 0) first = fmt::format("node {} by {:.3g}", document.node_tag(i), off);
+  }
+  std::vector<Loss> lost;
+  add_loss(lost, "points that rounding puts beside their place", count, first);
+  return lost;
+}
+
 }  // namespace
 
 Edit scale(Document& document, double factor) {
@@ -125,6 +147,7 @@ Edit scale(Document& document, double factor) {
 
 Edit translate(Document& document, const Eigen::Vector3d& by) {
   if (!by.allFinite()) throw InputError("expected three finite numbers X,Y,Z");
+  std::vector<Loss> lost = rounded_places(document, by);
   const Placing::Map map = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d { return point + by; };
   Placing place(document, Placing::Kind::sum, map);
   place.move_points();
@@ -138,7 +161,7 @@ Edit translate(Document& document, const Eigen::Vector3d& by) {
   }
   return {
       fmt::format("{} moved by ({}, {}, {})", counted(document.points.size(), "points"), by[0], by[1], by[2]),
-      {}};
+      std::move(lost)};
 }
 
 }  // namespace tetproof::io

@@ -272,14 +272,17 @@ int main(int argc, char** argv) {
         app.add_option(
                "--from", choices->read.format,
                "read IN as this format, whatever its ending and content say: " + program::format_names())
+            ->check(program::not_empty)
             ->type_name("FORMAT");
         app.add_option("--to", choices->write.format,
                        "OUT's format, where its ending does not tell: " + program::format_names())
+            ->check(program::not_empty)
             ->type_name("FORMAT");
         auto* ascii = app.add_flag("--ascii", choices->ascii, "write text");
         app.add_flag("--binary", choices->binary, "write binary")->excludes(ascii);
         app.add_option("--losses", choices->losses_file,
                        "write what is not read or lost as JSON; - is standard output")
+            ->check(program::not_empty)
             ->type_name("FILE");
         app.add_flag("--strict", choices->strict,
                      "lose nothing, in reading and in writing, or exit 1 and write nothing. What only "

@@ -44,12 +44,11 @@ std::optional<double> tolerance_of(const std::string& text) {
   return tolerance;
 }
 
-// CLI11 takes an empty word for an option that is not given.
+}  // namespace
+
 std::string not_empty(const std::string& word) {
   return word.empty() ? "expected a value, found ''" : "";
 }
-
-}  // namespace
 
 void declare_edits(CLI::App& app, EditOptions& options) {
   app.add_option("--scale", options.scale, "multiply all coordinates by F")

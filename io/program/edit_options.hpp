@@ -24,6 +24,9 @@ struct EditOptions {
   bool split_by_group = false;
 };
 
+/// A check for options: CLI11 takes an empty word for an option that is not given.
+std::string not_empty(const std::string& word);
+
 /// Adds the options to a program.
 void declare_edits(CLI::App& app, EditOptions& options);
 

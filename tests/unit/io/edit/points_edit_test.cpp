@@ -245,6 +245,21 @@ TEST(Scale, BoxesWithoutPoints) {
   EXPECT_EQ(document.entities[0].box, (std::array<double, 6>{most, most, most, -most, -most, -most}));
 }
 
+// Behind 2^53 every second whole number is none: 1 falls on 0, 2 does not.
+TEST(Translate, ListsWhatRoundingMoves) {
+  Document document;
+  document.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  document.first_node = 10;
+  EXPECT_EQ(
+      said(io::translate(document, {9007199254740992, 0, 0})),
+      "3 points moved by (9007199254740992, 0, 0) | points that rounding puts beside their place 1 (node "
+      "11 by 1)");
+  document.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(said(io::translate(document, {5e6, 0.1, 0})), "3 points moved by (5000000, 0.1, 0)");
+  document.points = {{0.7, 0, 0}};
+  EXPECT_EQ(said(io::translate(document, {0.1, 0, 0})), "1 point moved by (0.1, 0, 0)");
+}
+
 TEST(Place, RefusesWhatLeavesTheRange) {
   const TestFiles files;
   const auto message = [&](double factor, const auto& change) {
