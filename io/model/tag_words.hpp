@@ -9,6 +9,10 @@ namespace tetproof::io {
 
 enum class Tag { group, entity };
 
+/// What MMG, and meshio for Medit, call the references of nodes where a format has only named arrays; and
+/// what documents call them.
+inline constexpr std::string_view node_reference_word = "medit:ref", node_references = "references";
+
 struct TagWord {
   std::string_view word;
   Tag tag;

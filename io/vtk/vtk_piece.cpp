@@ -68,6 +68,7 @@ class Adder {
     points_ = document_.points.size() - base_;
     cells();
     tags_.add_negative(first_, changed_ ? &origin_ : nullptr);
+    name_node_references(piece_.point_data, piece_.point_roles, whole_);
     for (Column& column : piece_.point_data)
       add_vtk_values(document_, document_.node_values, std::move(column), {base_, points_},
                      piece_.point_roles, node_labels);

@@ -15,11 +15,6 @@
 
 namespace tetproof::io {
 
-/// The role of an array in VTK's attributes: "Scalars", "Vectors", ...
-struct VtkRole {
-  std::string array, role;
-};
-
 /// Cells and arrays in VTK's terms, as they stand in a file and not yet checked.
 struct VtkPiece {
   std::vector<Eigen::Vector3d> points;

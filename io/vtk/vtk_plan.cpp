@@ -122,8 +122,7 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
   holds.nodes_each = [](const ElementBlock& block) { return vtk_cell(block).nodes; };
 
   std::map<const Values*, std::string> names;
-  for (std::size_t k = 0; k < plan.node_values.size(); ++k)
-    names[&document.node_values[k]] = plan.node_values[k];
+  for (std::size_t k = 0; k < plan.node_values.size(); ++k) names[&document.node_values[k]] = plan.back[k];
   for (std::size_t k = 0; k < plan.element_values.size(); ++k)
     names[&document.element_values[k]] = plan.element_values[k];
   holds.numbers = [names, &document](const Values& values, Of of) -> std::optional<HeldNumbers> {
@@ -192,7 +191,13 @@ VtkPlan vtk_plan(const Document& document, const std::string& entities) {
   Names of_nodes, of_cells, of_fields;
   if (!plan.entities.empty()) of_cells.take(plan.entities);
   for (const std::string& group : plan.groups) of_cells.take(group);
-  for (const Values& values : document.node_values) plan.node_values.push_back(of_nodes(values.name));
+  for (const Values& values : document.node_values) {
+    VtkNodeName name = vtk_node_name(document, values);
+    plan.node_values.push_back(of_nodes(name.array));
+    // Behind another array of this name it has a number, which comes back.
+    plan.back.push_back(plan.node_values.back() == name.array ? std::move(name.back)
+                                                              : plan.node_values.back());
+  }
   for (const Values& values : document.element_values)
     plan.element_values.push_back(
         &values == plan.negative ? values.name : of_cells(values.name, [&](const std::string& name) {

@@ -22,6 +22,8 @@ struct VtkPlan {
   std::vector<std::string> node_values,
       element_values;  ///< the names of the arrays of each of the document's
 
+  std::vector<std::string> back;  ///< the names with which the reader gives values of nodes back
+
   /// A column of a table, which is written as field data.
   struct Field {
     const Table* table;

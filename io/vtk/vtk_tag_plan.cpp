@@ -75,6 +75,21 @@ const Values* negative_vtk_groups(const Document& document, const std::vector<st
   return nullptr;
 }
 
+VtkNodeName vtk_node_name(const Document& document, const Values& values) {
+  const auto others = [&](std::string_view name) {
+    return std::any_of(document.node_values.begin(), document.node_values.end(),
+                       [&](const Values& other) { return &other != &values && other.name == name; });
+  };
+  const bool numbers = values.components == 1 && values.labels.empty();
+  if (values.name == node_references && numbers && !others(node_reference_word) && !others(node_references))
+    return {std::string(node_reference_word), values.name};
+  if (values.name == node_reference_word && values.components == 1 &&
+      !are_texts(document, values, document.points.size()) && !others(node_references) &&
+      !others(node_reference_word))
+    return {values.name, std::string(node_references)};
+  return {values.name, values.name};
+}
+
 bool is_taken_for_tags(const Values& values, const std::string& name, const VtkPlan& plan) {
   if (values.components != 1 || !may_be_vtk_tag_name(name) ||
       !may_be_tags(name, values.integers, values.reals))

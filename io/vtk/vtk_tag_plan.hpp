@@ -24,6 +24,12 @@ std::vector<std::string> vtk_names_of_groups(const Document& document);
 /// none.
 const Values* negative_vtk_groups(const Document& document, const std::vector<std::string>& groups);
 
+/// The name of the array of values of nodes, and the one with which they come back.
+struct VtkNodeName {
+  std::string array, back;
+};
+VtkNodeName vtk_node_name(const Document& document, const Values& values);
+
 /// Whether the reader would take values of this name for tags, beside those of the plan.
 bool is_taken_for_tags(const Values& values, const std::string& name, const VtkPlan& plan);
 

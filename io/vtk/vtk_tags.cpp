@@ -114,6 +114,29 @@ bool take_tags(std::vector<Column>& columns, const std::string& name, std::vecto
   return true;
 }
 
+void name_node_references(std::vector<Column>& point_data, std::vector<VtkRole>& roles, bool all_of_file) {
+  const auto named = [&](std::string_view name) {
+    return std::find_if(point_data.begin(), point_data.end(),
+                        [&](const Column& column) { return column.name == name; });
+  };
+  const auto found = named(node_reference_word);
+  if (found == point_data.end() || named(node_references) != point_data.end() || found->components != 1 ||
+      !found->texts.empty())
+    return;
+  found->name = node_references;
+  for (VtkRole& role : roles)
+    if (role.array == node_reference_word) role.array = node_references;
+  constexpr double whole = 0x1p53;
+  if (all_of_file && std::all_of(found->reals.begin(), found->reals.end(), [](double reference) {
+        return std::abs(reference) <= whole && reference == std::trunc(reference) &&
+               !(reference == 0 && std::signbit(reference));
+      })) {
+    for (const double reference : found->reals)
+      found->integers.push_back(static_cast<std::int64_t>(reference));
+    found->reals.clear();
+  }
+}
+
 std::string vtk_group_array(std::size_t k) {
   return fmt::format("{}{}", group_prefix, k);
 }

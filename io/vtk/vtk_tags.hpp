@@ -13,6 +13,11 @@
 
 namespace tetproof::io {
 
+/// The role of an array in VTK's attributes: "Scalars", "Vectors", ...
+struct VtkRole {
+  std::string array, role;
+};
+
 /// The cell data that are tags, by their names. Empty: there are none.
 struct VtkTagNames {
   std::string entities;
@@ -38,6 +43,10 @@ bool is_common_group(std::int64_t group);
 
 /// Takes the numbers of the first column of this name that can be tags. False: there is none.
 bool take_tags(std::vector<Column>& columns, const std::string& name, std::vector<std::int64_t>& to);
+
+/// Gives references of nodes, if there are such point data, the name that documents have for them, and
+/// integers for whole reals, as which MMG writes them. `roles`: of the point data.
+void name_node_references(std::vector<Column>& point_data, std::vector<VtkRole>& roles, bool all_of_file);
 
 /// The name of the array with the k-th group of each element, from 2. The first has one of the words in
 /// io/model/tag_words.hpp.

@@ -13,11 +13,11 @@ namespace tetproof::io {
 /// Reads the types UnstructuredGrid (.vtu), PolyData (.vtp), ImageData (.vti), RectilinearGrid (.vtr) and
 /// StructuredGrid (.vts): ASCII, base64 and appended data of both byte orders, compressed by zlib, LZ4, LZMA
 /// or not. Structured grids become hexahedra (quadrangles, lines), with a warning, and their pieces
-/// one grid (io/vtk/vtk_lattice_join.hpp). Other pieces are put one after the other. Point and cell data become
-/// values with their roles (Scalars="..."), and field data a table for each array. The cell data with a name of
-/// io/model/tag_words.hpp ("gmsh:physical", "medit:ref", "CellEntityIds", ...) become physical groups, with
-/// "group 2", ... for further ones, and entities. Nodes and cells are numbered from 0. See `VtkPieces::add` for
-/// the cells that are not kept as they are.
+/// one grid (io/vtk/vtk_lattice_join.hpp). Other pieces are put one after the other. Point and cell data
+/// become values with their roles (Scalars="..."), and field data a table for each array. The cell data with
+/// a name of io/model/tag_words.hpp ("gmsh:physical", "medit:ref", "CellEntityIds", ...) become physical
+/// groups, with "group 2", ... for further ones, and entities. Nodes and cells are numbered from 0. See
+/// `VtkPieces::add` for the cells that are not kept as they are.
 ///
 /// Everything else is listed as dropped: names of components, information keys, the division into pieces, and
 /// elements and attributes that this reader does not know. Not dropped is what follows from the values

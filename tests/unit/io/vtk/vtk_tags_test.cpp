@@ -109,6 +109,44 @@ TEST(VtkTags, AreTakenFromWholeReals) {
   EXPECT_THAT(document.element_values, IsEmpty());
 }
 
+// Point data of MMG and meshio are references of nodes, in a .mesh as well.
+TEST(VtkTags, OfNodesAreReferences) {
+  const test::TestFiles files;
+  for (const char* type : {"int", "float"}) {
+    const Document document = read_document(
+        files.write("a.vtk", legacy({}) + fmt::format("POINT_DATA 5\nSCALARS medit:ref {}\nLOOKUP_TABLE "
+                                                      "default\n1 2 3 0 -4\n",
+                                                      type)));
+    ASSERT_EQ(document.node_values.size(), 1u);
+    EXPECT_EQ(document.node_values[0].name, "references");
+    EXPECT_THAT(document.node_values[0].integers, ElementsAre(1, 2, 3, 0, -4));
+    for (const char* name : {"b.vtu", "b.vtk", "b.mesh"}) {
+      EXPECT_THAT(losses(files.path(name), document), IsEmpty()) << name;
+      write_document(files.path(name), document, {.binary = false});
+      const Document back = read_document(files.path(name));
+      ASSERT_EQ(back.node_values.size(), 1u) << name;
+      EXPECT_THAT(back.node_values[0].integers, ElementsAre(1, 2, 3, 0, -4)) << name;
+    }
+    EXPECT_THAT(files.read(files.path("b.vtu")), HasSubstr("Name=\"medit:ref\""));
+  }
+}
+
+TEST(VtkTags, ReferencesBesideOthersOfTheirNameKeepIt) {
+  const test::TestFiles files;
+  const auto array = [](const char* name) {
+    return fmt::format("SCALARS {} int\nLOOKUP_TABLE default\n1 2 3 0 -4\n", name);
+  };
+  const Document document = read_document(
+      files.write("a.vtk", legacy({}) + "POINT_DATA 5\n" + array("references") + array("medit:ref")));
+  ASSERT_EQ(document.node_values.size(), 2u);
+  EXPECT_EQ(document.node_values[1].name, "medit:ref");
+  EXPECT_THAT(losses(files.path("b.vtu"), document), IsEmpty());
+  write_document(files.path("b.vtu"), document);
+  const Document back = read_document(files.path("b.vtu"));
+  EXPECT_EQ(back.node_values.at(0).name, "references");
+  EXPECT_EQ(back.node_values.at(1).name, "medit:ref");
+}
+
 // Gmsh turns elements of a negative group inside out, and keeps 32 bits of a group. In its own array such
 // numbers are groups; in those of other tools a negative number stays one of its element, and large ones are
 // data.
