@@ -8,7 +8,7 @@ namespace {
 
 bool counts_up(const std::vector<std::int64_t>& numbers) {
   for (std::size_t i = 1; i < numbers.size(); ++i)
-    if (numbers[i] != numbers[0] + static_cast<std::int64_t>(i)) return false;
+    if (numbers[i] <= numbers[i - 1] || numbers[i] - 1 != numbers[i - 1]) return false;
   return true;
 }
 
