@@ -9,16 +9,18 @@
 #include <utility>
 
 #include "io/bytes/xml_text.hpp"
+#include "io/vtk/vtk_tag_plan.hpp"
 
 namespace tetproof::io {
 namespace {
 
 using Groups = std::set<std::pair<int, std::int64_t>>;  // dimension and number
 
-Groups groups_of_elements(const Document& document) {
+// Those of all elements, or of those that a file of VTK has.
+Groups groups_of_elements(const Document& document, bool written) {
   Groups groups;
   for (const ElementBlock& block : document.blocks)
-    if (block.count > 0)
+    if (block.groups != 0 && (written ? is_written_in_vtk(document, block) : block.count > 0))
       for (const std::int64_t group : document.tag_sets[static_cast<std::size_t>(block.groups)])
         groups.emplace(block.dim, group);
   return groups;
@@ -36,7 +38,7 @@ bool is_name(const Table& table, const Groups& groups) {
 std::vector<const GroupName*> names_in_vtk(const Document& document) {
   std::vector<const GroupName*> names;
   if (document.group_names.empty()) return names;
-  const Groups groups = groups_of_elements(document);
+  const Groups groups = groups_of_elements(document, true);
   std::set<std::string> taken;
   Groups named;
   for (const GroupName& name : document.group_names)
@@ -61,7 +63,7 @@ Table table_of_names(const std::vector<const GroupName*>& names) {
 
 void take_group_names(Document& document) {
   if (document.tables.empty()) return;
-  const Groups groups = groups_of_elements(document);
+  const Groups groups = groups_of_elements(document, false);
   Groups named;
   std::erase_if(document.tables, [&](const Table& table) {
     if (!is_name(table, groups)) return false;
@@ -73,7 +75,7 @@ void take_group_names(Document& document) {
 }
 
 bool is_taken_for_name(const Document& document, const Table& table) {
-  if (!is_name(table, groups_of_elements(document))) return false;
+  if (!is_name(table, groups_of_elements(document, true))) return false;
   const std::vector<std::int64_t>& numbers = table.columns[0].integers;
   const auto names = names_in_vtk(document);
   return std::none_of(names.begin(), names.end(), [&](const GroupName* name) {

@@ -10,7 +10,7 @@
 
 namespace tetproof::io {
 
-/// The names that come back: those that XML can hold, each once, and one of each group that some element has.
+/// The names that come back: those that XML can hold, each once; one of each group that a written element has.
 std::vector<const GroupName*> names_in_vtk(const Document& document);
 
 /// A column for each of these names.

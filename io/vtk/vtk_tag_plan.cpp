@@ -5,6 +5,8 @@
 
 #include "io/model/tag_words.hpp"
 #include "io/model/values.hpp"
+#include "io/surface/surface_document.hpp"
+#include "io/vtk/vtk_cells.hpp"
 #include "io/vtk/vtk_tags.hpp"
 
 namespace tetproof::io {
@@ -32,10 +34,21 @@ bool is_of_vtk(const Document& document) {
   return document.format == "vtk" || document.format == "vtu";
 }
 
+bool is_written_in_vtk(const Document& document, const ElementBlock& block) {
+  if (vtk_cell(block).nodes == 0) return false;
+  for (std::size_t e = 0; e < block.count; ++e)
+    if (nodes_exist(
+            document.connectivity.data() + block.nodes + e * static_cast<std::size_t>(block.nodes_each),
+            block.nodes_each))
+      return true;
+  return false;
+}
+
 bool has_vtk_entities(const Document& document) {
   return std::any_of(document.blocks.begin(), document.blocks.end(),
-                     [of_vtk = is_of_vtk(document)](const ElementBlock& block) {
-                       return block.entity != 0 && (block.entity != 1 || of_vtk);
+                     [&, of_vtk = is_of_vtk(document)](const ElementBlock& block) {
+                       return block.entity != 0 && (block.entity != 1 || of_vtk) &&
+                              is_written_in_vtk(document, block);
                      });
 }
 
@@ -44,6 +57,7 @@ std::vector<std::string> vtk_names_of_groups(const Document& document) {
   bool common = true;
   for (const ElementBlock& block : document.blocks) {
     const auto& groups = groups_of(document, block);
+    if (groups.empty() || !is_written_in_vtk(document, block)) continue;
     most = std::max(most, groups.size());
     common &= std::all_of(groups.begin(), groups.end(), is_common_group);
   }

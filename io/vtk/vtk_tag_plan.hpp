@@ -13,6 +13,9 @@ namespace tetproof::io {
 /// Whether one of VTK's files was read.
 bool is_of_vtk(const Document& document);
 
+/// Whether an element of the block is written. Tags of others would be zeros in the file, and so none.
+bool is_written_in_vtk(const Document& document, const ElementBlock& block);
+
 /// Whether an array of entities is needed. The tag 0 is none. The tag 1 is what readers of other formats give
 /// to elements that have no other; in VTK's files it is in an array, which is kept.
 bool has_vtk_entities(const Document& document);
