@@ -78,8 +78,9 @@ Document read_document(const std::string& path, const ReadOptions& options = {})
 /// for.
 void write_document(const std::string& path, const Document& document, const WriteOptions& options = {});
 
-/// What is worth knowing before `write_document`, though nothing is lost: that another program misreads what
-/// will be written, or that files of an older mesh will stay beside it. Empty: nothing.
+/// What is worth knowing before `write_document`, besides what is lost: that another program misreads what
+/// will be written, that files of an older mesh will stay beside it, or that the other form, text instead of
+/// binary, keeps what is lost. Empty: nothing.
 std::string write_warning(const std::string& path, const Document& document,
                           const WriteOptions& options = {});
 

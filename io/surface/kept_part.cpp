@@ -45,7 +45,8 @@ Values values_of(const Values& all, const std::vector<std::size_t>& elements, st
   std::vector<std::size_t> row_of(count, none);
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
     const std::int64_t element = all.at.empty() ? static_cast<std::int64_t>(all.first + i) : all.at[i];
-    if (element < 0 || static_cast<std::size_t>(element) >= count) continue;
+    if (element < 0) return all;  // of a number that no element has: not to be lost in silence
+    if (static_cast<std::size_t>(element) >= count) continue;
     if (row_of[static_cast<std::size_t>(element)] != none) return all;  // several of one element
     row_of[static_cast<std::size_t>(element)] = i;
   }

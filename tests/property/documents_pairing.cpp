@@ -8,9 +8,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "facet_cover.hpp"
 #include "io/model/element_types.hpp"
 
 namespace tetproof::test {
@@ -47,14 +49,11 @@ class Cutting {
  public:
   Cutting(const Document& document, const std::vector<Element>& before, const std::vector<Element>& after,
           Pairing& pairs)
-      : document_(document),
-        before_(before),
-        after_(after),
-        pairs_(pairs),
-        facet_(before.size()),
-        taken_(before.size()) {
-    for (const Facet& facet : document.facets)
+      : before_(before), after_(after), pairs_(pairs), facet_(before.size()), taken_(before.size()) {
+    for (const Facet& facet : document.facets) {
+      covers_.try_emplace(&facet, document, before, facet);
       for (std::size_t k = 0; k < facet.polygons; ++k) facet_[facet.first + k] = &facet;
+    }
     for (const Element& element : after) {
       Triangle corners{none, none, none};
       for (std::size_t k = 0; element.type == io::triangle3 && k < 3; ++k)
@@ -101,7 +100,9 @@ class Cutting {
       claim(b, e, count, -1);
       return false;
     };
-    // With a facet, the largest number of triangles first: all may have corners of the facet only.
+    // The triangles of others may fit into a facet too, so it comes last; of its numbers of triangles, the
+    // largest comes first.
+    if (facet_[b] && find_from(behind, from)) return true;
     const auto any_cut_at = [&](std::size_t e) {
       if (!facet_[b]) return n >= 4 && cut_at(e, n - 2);
       for (std::size_t count = after_.size() - e; count > 0; --count)
@@ -114,7 +115,7 @@ class Cutting {
     if (place >= from && place < after_.size() && any_cut_at(place)) return true;
     for (std::size_t e = from; e < after_.size(); ++e)
       if (e != place && any_cut_at(e)) return true;
-    return find_from(behind, from);
+    return !facet_[b] && find_from(behind, from);
   }
 
   // Gives the triangles from `e` on to a polygon or to the first face of a facet (`sign` 1), or takes them
@@ -167,60 +168,23 @@ class Cutting {
       }
     }
     if (is_fan(polygon, n, e)) return true;
-    const std::set<Index> different(polygon.nodes.begin(),
-                                    polygon.nodes.begin() + static_cast<std::ptrdiff_t>(n));
-    if (different.size() < n) return false;  // sides might cancel
     for (std::size_t k = 0; k < n; ++k) add(polygon.nodes[k], polygon.nodes[(k + 1) % n], -1);
     return std::all_of(sides.begin(), sides.end(), [](const auto& side) {
       return side.second == 0 || side.first.first == side.first.second;
     });
   }
 
-  // Whether the triangles from `e` on may be those of a facet, and none of them was a triangle before: they
-  // have corners of the facet only and are wound alike, and where they end there is a side of a polygon.
+  // Whether the triangles from `e` on may be those of a facet, and none of them was a triangle before.
   bool cover(const Facet& facet, std::size_t count, std::size_t e) {
-    std::vector<std::pair<Index, Index>> sides;
-    std::set<Index> corners;
-    for (std::size_t i = facet.first; i < facet.first + facet.polygons; ++i) {
-      const std::vector<Index>& nodes = before_[i].nodes;
-      corners.insert(nodes.begin(), nodes.end());
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        sides.emplace_back(nodes[k], nodes[(k + 1) % nodes.size()]);
-    }
-    const auto is_face = [&](const Element& element) { return element.nodes.size() >= 3; };
-    const auto first = before_.begin() + static_cast<std::ptrdiff_t>(facet.first);
-    if (*corners.begin() < 0 ||
-        std::none_of(first, first + static_cast<std::ptrdiff_t>(facet.polygons), is_face))
-      return false;
     std::map<Triangle, int> used;
-    std::set<std::pair<Index, Index>> run;
-    for (std::size_t i = e; i < e + count; ++i) {
-      const Triangle& t = triangles_[i];
-      if (++used[t] > surplus_[t] || t[0] == none) return false;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (corners.count(t[k]) == 0 || !run.insert({t[k], t[(k + 1) % 3]}).second) return false;
-    }
-    return std::all_of(run.begin(), run.end(), [&](const auto& side) {
-      return run.count({side.second, side.first}) > 0 ||
-             std::any_of(sides.begin(), sides.end(), [&](const auto& whole) {
-               return is_on(side.first, whole) && is_on(side.second, whole);
-             });
-    });
+    for (std::size_t i = e; i < e + count; ++i)
+      if (const Triangle& t = triangles_[i]; ++used[t] > surplus_[t] || t[0] == none) return false;
+    return covers_.at(&facet).may_be(std::span(triangles_).subspan(e, count));
   }
 
-  // Whether a node is an end of a side, or lies on its line as seen along an axis.
-  bool is_on(Index node, const std::pair<Index, Index>& side) const {
-    if (node == side.first || node == side.second) return true;
-    const auto p = [&](Index i) -> const Eigen::Vector3d& {
-      return document_.points[static_cast<std::size_t>(i)];
-    };
-    const Eigen::Vector3d a = p(side.second) - p(side.first), b = p(node) - p(side.first);
-    return a[0] * b[1] == a[1] * b[0] || a[1] * b[2] == a[2] * b[1] || a[2] * b[0] == a[0] * b[2];
-  }
-
-  const Document& document_;
   const std::vector<Element>&before_, &after_;
   Pairing& pairs_;
+  std::map<const Facet*, FacetCover> covers_;
   std::vector<const Facet*> facet_;  // of each element of `before`; null: none
   std::vector<std::size_t> taken_;   // how many triangles of `after` each element of `before` has now
   std::vector<Triangle> triangles_;  // of `after`, with the node numbers of `before`

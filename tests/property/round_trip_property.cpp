@@ -67,10 +67,13 @@ rc::Gen<Recipe> any_recipe() {
                       });
 }
 
-// STL's nodes are only coordinates, so a node with NaN cannot be recognised when it comes back.
+// STL's nodes are only coordinates, so a node with NaN cannot be recognised when it comes back. The triangles
+// of polygons can be told apart if there are nodes enough for them: eight, besides loose ones.
 void leave_out_what_has_no_identity(Recipe& recipe, const Target& target) {
   if (target.options.format != "stl") return;
   recipe.with[static_cast<std::size_t>(Feature::nan_coordinates)] = false;
+  if (recipe.has(Feature::polygons) || recipe.has(Feature::boundary))
+    recipe.nodes = std::max(recipe.nodes, 12);
 }
 
 using Counts = std::map<std::string, std::int64_t>;

@@ -95,6 +95,14 @@ TEST(LeftOutElements, TakeTheirValuesAloneFromStl) {
   EXPECT_EQ(told(read_document(files.path("a.stl"))), "group 2 4 base\ne2 g4: 1 2 3\ne2 g5: 1 3 4\n");
 }
 
+// Of values of a number that no element has, something is lost: the list says so.
+TEST(LeftOutElements, ValuesOfNoElementAreSaid) {
+  Document document = mixed();
+  document.element_values = {{.name = "attribute", .integers = {11, 12, 13}, .at = {1, 3, -1}}};
+  for (const char* name : {"a.ply", "a.stl"})
+    EXPECT_NE(lost(name, document).find("values \"attribute\" of elements\n"), std::string::npos) << name;
+}
+
 // Triangles of second order are written by their corners, with their values.
 TEST(LeftOutElements, NodesBetweenCornersTakeNoValuesAlong) {
   const test::TestFiles files;
