@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vtk/vtk_group_names.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <set>
@@ -74,13 +73,18 @@ void take_group_names(Document& document) {
   });
 }
 
-bool is_taken_for_name(const Document& document, const Table& table) {
-  if (!is_name(table, groups_of_elements(document, true))) return false;
-  const std::vector<std::int64_t>& numbers = table.columns[0].integers;
-  const auto names = names_in_vtk(document);
-  return std::none_of(names.begin(), names.end(), [&](const GroupName* name) {
-    return name->group == numbers[0] && name->dim == numbers[1];
-  });
+std::vector<const Table*> tables_taken_for_names(const Document& document) {
+  std::vector<const Table*> taken;
+  if (document.tables.empty()) return taken;
+  const Groups groups = groups_of_elements(document, true);
+  Groups named;
+  for (const GroupName* name : names_in_vtk(document)) named.emplace(name->dim, name->group);
+  for (const Table& table : document.tables)
+    if (is_name(table, groups)) {
+      const std::vector<std::int64_t>& numbers = table.columns[0].integers;
+      if (named.emplace(static_cast<int>(numbers[1]), numbers[0]).second) taken.push_back(&table);
+    }
+  return taken;
 }
 
 }  // namespace tetproof::io

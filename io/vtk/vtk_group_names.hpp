@@ -10,14 +10,15 @@
 
 namespace tetproof::io {
 
-/// The names that come back: those that XML can hold, each once; one of each group that a written element has.
+/// The names that come back: those that XML can hold, each once; one of each group that a written element
+/// has.
 std::vector<const GroupName*> names_in_vtk(const Document& document);
 
 /// A column for each of these names.
 Table table_of_names(const std::vector<const GroupName*>& names);
 
-/// Whether a table of the document would be taken for the name of a group.
-bool is_taken_for_name(const Document& document, const Table& table);
+/// Returns which tables of the document would be taken for names of groups.
+std::vector<const Table*> tables_taken_for_names(const Document& document);
 
 /// Makes names of groups of the field data that are such arrays: the first of each group.
 void take_group_names(Document& document);

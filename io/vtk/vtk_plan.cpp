@@ -138,6 +138,7 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     return held && held->gaps == 0 && held->name == values.name && !has_step(values) &&
            (values.labels.empty() || are_texts(values, items));
   };
+  const std::vector<const Table*> taken = tables_taken_for_names(document);
   std::set<const Table*> tables;
   for (const auto& [of, in, name] : plan.fields) {
     const Table& table = *of;
@@ -145,7 +146,7 @@ Holds holds_of_both(const Document& document, const VtkPlan& plan) {
     if (table.columns.size() == 1 && column.name == table.name && name == table.name &&
         fits_its_type(column) &&
         table.rows * static_cast<std::size_t>(column.components) == column_size(column) &&
-        !is_taken_for_name(document, table))
+        std::find(taken.begin(), taken.end(), &table) == taken.end())
       tables.insert(&table);
   }
   holds.table = [tables](const Table& table) { return tables.contains(&table); };

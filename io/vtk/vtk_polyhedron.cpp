@@ -17,7 +17,8 @@ std::int32_t VtkPolyhedron::place(std::int64_t node) {
 
 std::string VtkPolyhedron::read(std::span<const std::int64_t> list, std::span<const std::int64_t> more) {
   // Clearing takes as long as the map once was large.
-  if (place_.bucket_count() > 16 * nodes.size() + 64) place_ = {};
+  if (place_.bucket_count() > 16 * nodes.size() + 64)
+    std::unordered_map<std::int64_t, std::int32_t>().swap(place_);
   nodes.clear(), faces.clear(), place_.clear();
   std::size_t at = 1;
   const std::int64_t count = list.empty() ? 0 : list[0];

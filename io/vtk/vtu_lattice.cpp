@@ -68,13 +68,16 @@ class Reader {
     VtkPiece& piece = one.piece;
     const VtkDimensions& dimensions = one.dimensions;
     const std::int64_t count = lattice_points(dimensions, std::numeric_limits<Index>::max());
-    if (count >= 0)  // the data come first: they show that there can be so many points
-      parts_.data(node, static_cast<std::size_t>(count),
-                  static_cast<std::size_t>(lattice_cells(dimensions, whole)), piece);
-    const bool has_data = !piece.point_data.empty() || !piece.cell_data.empty();
-    if (count < 0 || (!has_data && points_ + count > most_lattice_points(bytes_)))
-      file_.fail(node, fmt::format("{} points are more than a file of {} can have data for",
-                                   fmt::join(dimensions, " x "), counted(bytes_, "bytes")));
+    const auto check = [&](std::size_t bytes) {
+      if (count < 0 || points_ + count > most_lattice_points(bytes))
+        file_.fail(node, fmt::format("{} points are more than a file of {} can have data for",
+                                     fmt::join(dimensions, " x "), counted(bytes_, "bytes")));
+    };
+    constexpr std::size_t densest = 256;  // points for a byte: zlib packs reals that are all the same so
+    check(densest * bytes_);
+    parts_.data(node, static_cast<std::size_t>(count),
+                static_cast<std::size_t>(lattice_cells(dimensions, whole)), piece);
+    if (piece.point_data.empty() && piece.cell_data.empty()) check(bytes_);
     points_ += count;
     if (points_ > std::numeric_limits<Index>::max())
       file_.fail(node, fmt::format("{} points are more than can be numbered here", points_));

@@ -138,6 +138,8 @@ std::vector<Reader> readers() {
       {"VtuLzma", seeds + "kinds_base64_lzma.vtu", mesh},
       {"Vtp", seeds + "polygonal.vtp", mesh},
       {"Vti", seeds + "image.vti", mesh},
+      {"VtiPieces", seeds + "pieces.vti", mesh},
+      {"VtuFaces", seeds + "faces.vtu", mesh},
       {"Vtr", seeds + "rectilinear.vtr", mesh},
       {"MeditText", "meshes/two.mesh", mesh},
       {"MeditBinary", "meshes/two.meshb", mesh},

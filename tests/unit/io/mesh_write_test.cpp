@@ -82,10 +82,9 @@ TEST(MeshWrite, NamedCellDataInVtu) {
   Document document = document_of(one_tet);
   document.element_values.push_back({.name = "check <1>", .components = 1, .reals = {}, .integers = {-3}});
   const std::string text = written(document, "a.vtu", {.binary = false});
-  EXPECT_NE(
-      text.find("<CellData>\n<DataArray type=\"Int64\" Name=\"check &lt;1&gt;\" "
-                "format=\"ascii\">\n-3\n</DataArray>\n</CellData>\n"),
-      text.npos)
+  EXPECT_NE(text.find("<CellData>\n<DataArray type=\"Int64\" Name=\"check &lt;1&gt;\" "
+                      "format=\"ascii\">\n-3\n</DataArray>\n</CellData>\n"),
+            text.npos)
       << text;
 }
 

@@ -83,6 +83,12 @@ INSTANTIATE_TEST_SUITE_P(
             "</ImageData></VTKFile>",
             "a.vti:3: 10000 x 10000 x 10000 points are more than a file of 104 bytes can have data for"},
         RefusedFile{
+            "MorePointsThanPackedDataStandFor", "a.vti",
+            "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 99 0 99 0 99\">\n<Piece><PointData>"
+            "<DataArray type=\"Int8\" Name=\"a\" format=\"binary\">AA==</DataArray></PointData></Piece>"
+            "</ImageData></VTKFile>",
+            "a.vti:3: 100 x 100 x 100 points are more than a file of 192 bytes can have data for"},
+        RefusedFile{
             "OffsetsOfPolyData", "a.vtp",
             "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"1\" NumberOfVerts=\"1\">"
             "<Points><DataArray type=\"Int8\" NumberOfComponents=\"3\">1 2 3</DataArray></Points>\n<Verts>"
