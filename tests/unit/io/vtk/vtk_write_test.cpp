@@ -54,7 +54,8 @@ TEST(VtkFiles, RoundTrips) {
     }
 }
 
-// VTK's writer gives every file this title, so that a file of VTK's loses nothing on its way to other formats.
+// VTK's writer gives every file this title, so that a file of VTK's loses nothing on its way to other
+// formats.
 TEST(VtkFiles, TheTitleThatVtkMakesUpIsNone) {
   const test::TestFiles files;
   std::string text =
