@@ -24,9 +24,9 @@ namespace tetproof::io {
 /// also be the .sol or .solb, with its mesh beside it.
 ///
 /// Listed as dropped: binary keywords of unknown code or form, bytes that a binary keyword has behind its
-/// numbers, everything behind End, solutions for another number of vertices or that cannot be read, and what
-/// else stands in a .sol.
-/// Comments (from # to the end of a line) are no data.
+/// numbers, lines behind those that a keyword announces, everything behind End, solutions for another number
+/// of vertices or that cannot be read, and what else stands in a .sol. Comments (from # to the end of a line)
+/// are no data.
 Document read_medit(const InputFile& file);
 
 /// Plans a file of dimension 3 with doubles: text, or binary of version 2 (version 3 beyond 2 GiB, version 4
