@@ -220,7 +220,8 @@ struct Document {
   std::int64_t partitions = 0;  ///< how many; 0: not partitioned
   std::vector<GhostEntity> ghosts;
   std::vector<GroupName> group_names;
-  std::string group_word;  ///< what the file calls its array of groups, where it is VTK's; empty: as we call it
+  std::string
+      group_word;  ///< what the file calls its array of groups, where it is VTK's; empty: as we call it
   std::vector<GhostElement> ghost_elements;
   std::vector<PeriodicLink> periodic;
 

@@ -141,7 +141,8 @@ GivenMesh give_mesh(const AtomicFolder& to, const MesherRun& run) {
     if (ending == ".ele" || ending == ".node") {  // the two make one mesh; TetGen's last line is its command
       for (const char* one : {".node", ".ele"})
         if (const fs::path part = file.parent_path() / (stem + one); fs::exists(part))
-          to.write("mesh" + std::string(one), without_places(std::string(InputFile(part.string()).bytes()), run));
+          to.write("mesh" + std::string(one),
+                   without_places(std::string(InputFile(part.string()).bytes()), run));
     } else {
       fs::copy_file(file, to / given.file);
     }

@@ -39,8 +39,9 @@ std::string readme(const ReadmeFacts& about) {
                       version.empty() ? "of unknown version" : fmt::format("which says: {}", version),
                       command.empty() ? "a C++ function" : quoted(command));
   const std::string& what = facts.judgement.what.empty() ? facts.run.message : facts.judgement.what;
-  text += fmt::format("- **What is wrong**: {} ({}; group {}).{}\n", statements.headline, name_of(outcome),
-                      quoted(facts.judgement.signature), what.empty() ? "" : fmt::format(" {}", quoted(what)));
+  text +=
+      fmt::format("- **What is wrong**: {} ({}; group {}).{}\n", statements.headline, name_of(outcome),
+                  quoted(facts.judgement.signature), what.empty() ? "" : fmt::format(" {}", quoted(what)));
   const std::string of = mesh.checked.empty() ? "" : fmt::format("In `{}`: ", mesh.checked);
   const bool without_surface = statements.list.size() > 1;
   std::string seen;

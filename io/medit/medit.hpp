@@ -24,9 +24,9 @@ namespace tetproof::io {
 /// also be the .sol or .solb, with its mesh beside it.
 ///
 /// Listed as dropped: binary keywords of unknown code or form, bytes that a binary keyword has behind its
-/// numbers, everything behind End, solutions for another number of vertices or that cannot be read, and what
-/// else stands in a .sol.
-/// Comments (from # to the end of a line) are no data.
+/// numbers, lines behind those that a keyword announces, everything behind End, solutions for another number
+/// of vertices or that cannot be read, and what else stands in a .sol. Comments (from # to the end of a line)
+/// are no data.
 Document read_medit(const InputFile& file);
 
 /// Plans a file of dimension 3 with doubles: text, or binary of version 2 (version 3 beyond 2 GiB, version 4
@@ -34,9 +34,11 @@ Document read_medit(const InputFile& file);
 /// Elements of an order that Medit does not have are listed by their corners. Elements that name unknown
 /// nodes are left out if these numbers would be those of other nodes. Reals of all nodes with 1, 3 or 9
 /// components go into a .sol or .solb beside the file, which has no names for them; a warning says so. Such
-/// reals of all elements of a kind go into the file itself, under "SolAtTetrahedra" and the like. References
-/// of nodes are values "references" or what other tools call so (io/model/node_tags.hpp). Integers for all
-/// nodes or elements, 1 or 0, that have the name of a keyword such as "Corners" become its list.
+/// reals of all elements of a kind go behind them, under "SolAtTetrahedra" and the like; where nodes have
+/// none, into the mesh itself, but only if the document comes from a Medit file: not every program reads
+/// these. References of nodes are values "references" or what other tools call so (io/model/node_tags.hpp).
+/// Integers for all nodes or elements, 1 or 0, that have the name of a keyword such as "Corners" become its
+/// list.
 std::unique_ptr<FilePlan> plan_medit(const Document& document, bool binary);
 
 }  // namespace tetproof::io

@@ -127,8 +127,10 @@ bool are_of_list(const Values& values, const std::vector<const ElementBlock*>& b
   return true;
 }
 
-// Adds values of elements where they fit.
+// Adds values of elements where they fit. A .sol without values of vertices is not what MMG expects, and
+// meshio refuses a mesh with such keywords: so only a Medit file gets them again.
 void plan_element_fields(const Document& document, MeditPlan& plan) {
+  if (plan.fields.empty() && document.format != "medit") return;
   if (!plan.numbers_stay && !document.unknown.empty()) return;  // elements may be left out
   for (const Values& values : document.element_values) {
     const int field = medit_field_of(values, values.items());
@@ -136,19 +138,20 @@ void plan_element_fields(const Document& document, MeditPlan& plan) {
         values.at.empty() ? static_cast<std::int64_t>(values.first) : std::int64_t{values.at[0]};
     if (field == 0 || first < 0 || first >= static_cast<std::int64_t>(document.elements())) continue;
     const MeditPlace place = medit_place(block_with(document, static_cast<Index>(first)));
-    if (!place.keyword || !medit_solution_keyword_of(place.keyword->element)) continue;
-    const std::size_t list = list_of(*place.keyword);
-    if (!are_of_list(values, plan.lists[list])) continue;
+    const MeditSolutionKeyword* keyword =
+        place.keyword ? medit_solution_keyword_of(place.keyword->element) : nullptr;
+    if (!keyword || !are_of_list(values, plan.lists[list_of(*place.keyword)])) continue;
     auto& all = plan.element_fields;
-    auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.list == list; });
-    if (found == all.end()) found = all.insert(all.end(), {list});
+    auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.keyword == keyword; });
+    if (found == all.end()) found = all.insert(all.end(), {keyword, {}, values.items()});
     found->fields.emplace_back(&values, field);
   }
 }
 
 // The name under which values of elements come back. Empty: they do not.
-std::string name_in_file(const std::vector<MeditElementFields>& all, const Values& values) {
-  for (const MeditElementFields& one : all)
+std::string name_in_file(const std::vector<MeditSolutionPart>& all, const Values& values) {
+  for (const MeditSolutionPart& one : all)
     for (std::size_t k = 0; k < one.fields.size(); ++k)
       if (one.fields[k].first == &values) return medit_field_name(k);
   return {};
@@ -334,7 +337,10 @@ class MeditFilePlan : public FilePlan {
     write_medit(file, document_, plan_, binary_);
     if (plan_.fields.empty()) return file.commit();
     AtomicFile solution(solution_of(path));
-    write_medit_solution(solution, plan_.fields, document_.points.size(), binary_);
+    std::vector<MeditSolutionPart> parts{
+        {medit_solution_keyword(medit_sol_at_vertices), plan_.fields, document_.points.size()}};
+    parts.insert(parts.end(), plan_.element_fields.begin(), plan_.element_fields.end());
+    write_medit_solution(solution, parts, binary_);
     solution
         .commit();  // first: a mesh never stands beside the solution of another one that it was written over
     file.commit();

@@ -32,12 +32,6 @@ std::int64_t medit_reference(const Document& document, const ElementBlock& block
 bool are_real_medit_references(const Values& values);
 inline constexpr double largest_medit_real_reference = 9e15;
 
-/// Values of all elements of a kind, which a keyword such as SolAtTetrahedra stores.
-struct MeditElementFields {
-  std::size_t list = 0;  ///< of the elements, in `MeditPlan::lists`
-  MeditFields fields{};
-};
-
 /// The nodes (or else elements) that values mark, where they do nothing else and the form of file has a
 /// keyword for it: those that they list, or those of which an integer for each is 1 and not 0. None: they
 /// are no marks.
@@ -49,9 +43,10 @@ bool writes_medit_section(const Section& section, bool binary);
 struct MeditPlan {
   /// Whether the numbers in `Document::unknown` still name nothing when nodes and elements count up from 1.
   bool numbers_stay = false;
-  const Values* references = nullptr;                ///< the values that nodes have as references; null: none
-  MeditFields fields{};                              ///< the values of vertices that go into a .sol
-  std::vector<MeditElementFields> element_fields{};  ///< those of elements, which go into the mesh
+  const Values* references = nullptr;  ///< the values that nodes have as references; null: none
+  MeditFields fields{};                ///< the values of vertices that go into a .sol
+  /// Those of all elements of a kind: behind them in the .sol, or without any in the mesh.
+  std::vector<MeditSolutionPart> element_fields{};
   /// The blocks under each keyword of `medit_elements()`.
   std::array<std::vector<const ElementBlock*>, 16> lists{};
   /// The positions in `lists` of the keywords that have blocks, in the order of the document: that of a file

@@ -31,7 +31,7 @@ class Reader {
 
   void read() {
     bool ended = false;
-    while (!in_.at_end('#')) {
+    for (std::string_view last; !at_end_behind(last);) {
       const std::string_view name = in_.word('#');
       if (name == "End") {
         ended = true;
@@ -39,6 +39,9 @@ class Reader {
       }
       if (!looks_like_medit_keyword(name)) in_.fail("a keyword", name);
       keyword(name);
+      const MeditKeyword* known = medit_keyword(name);
+      const bool lines = name == "Vertices" || medit_solution_keyword(name) || (known && known->element != 0);
+      last = lines ? name : std::string_view{};
     }
     if (!has_version_) in_.fail("MeshVersionFormatted", {});
     if (dimension_ == 0) in_.fail("Dimension", {});
@@ -49,6 +52,17 @@ class Reader {
   }
 
  private:
+  // Drops lines of numbers behind those that the last keyword announces, as Gmsh and MMG pass over them.
+  bool at_end_behind(std::string_view last) {
+    if (last.empty() || !in_.at_line_end('#')) return in_.at_end('#');
+    const MeditKeyword* known = medit_keyword(last);
+    const auto is_number = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; };
+    for (; !in_.at_end('#') && is_number(in_.peek_byte()); in_.next_line())
+      content_.drop(fmt::format("lines of {} behind those that it announces", last), 1,
+                    fmt::format("line {}", in_.line()), known && known->element != 0);
+    return in_.remaining() == 0;
+  }
+
   void keyword(std::string_view name) {
     if (name == "MeshVersionFormatted") {
       const std::int64_t version = in_.integer("a version from 1 to 4", '#');

@@ -9,7 +9,6 @@
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/text_output.hpp"
 #include "io/medit/medit_keywords.hpp"
-#include "io/medit/medit_solution.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -40,19 +39,26 @@ void write_medit_numbers(AtomicFile& file, const MeditFields& fields, std::size_
 
 namespace {
 
-void write_text(AtomicFile& file, const MeditFields& fields, std::size_t nodes) {
-  file.write(
-      fmt::format("MeshVersionFormatted 2\n\nDimension 3\n\nSolAtVertices\n{}\n{}", nodes, fields.size()));
-  for (const auto& [values, field] : fields) file.write(fmt::format(" {}", field));
-  file.write("\n");
-  write_medit_numbers(file, fields, nodes, false);
+void write_text(AtomicFile& file, const std::vector<MeditSolutionPart>& parts) {
+  file.write("MeshVersionFormatted 2\n\nDimension 3\n");
+  for (const auto& [keyword, fields, items] : parts) {
+    file.write(fmt::format("\n{}\n{}\n{}", keyword->name, items, fields.size()));
+    for (const auto& [values, field] : fields) file.write(fmt::format(" {}", field));
+    file.write("\n");
+    write_medit_numbers(file, fields, items, false);
+  }
   file.write("\nEnd\n");
 }
 
-void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes) {
-  constexpr std::size_t longest_head = 100;
-  const std::size_t numbers = nodes * medit_row(fields) * sizeof(double);
-  const bool wide = numbers + longest_head + 4 * fields.size() > std::numeric_limits<std::int32_t>::max();
+std::size_t bytes_of_numbers(const MeditSolutionPart& part) {
+  return part.items * medit_row(part.fields) * sizeof(double);
+}
+
+void write_binary(AtomicFile& file, const std::vector<MeditSolutionPart>& parts) {
+  std::size_t size = 100;
+  for (const MeditSolutionPart& part : parts) size += 100 + 4 * part.fields.size() + bytes_of_numbers(part);
+  const bool wide = size > std::numeric_limits<std::int32_t>::max();
+  std::size_t written = 0;
   std::string bytes;
   const auto integer = [&](auto value) {
     char to[sizeof(value)];
@@ -61,26 +67,29 @@ void write_binary(AtomicFile& file, const MeditFields& fields, std::size_t nodes
   // A keyword and the place behind `size` bytes of its data.
   const auto keyword = [&](int code, std::size_t size) {
     integer(std::int32_t{code});
-    const std::size_t next = code == medit_end ? 0 : bytes.size() + (wide ? 8 : 4) + size;
+    const std::size_t next = code == medit_end ? 0 : written + bytes.size() + (wide ? 8 : 4) + size;
     wide ? integer(static_cast<std::int64_t>(next)) : integer(static_cast<std::int32_t>(next));
   };
   integer(std::int32_t{1}), integer(std::int32_t{wide ? 3 : 2});
   keyword(medit_dimension, 4);
   integer(std::int32_t{3});
-  keyword(medit_sol_at_vertices, 8 + 4 * fields.size() + numbers);
-  integer(static_cast<std::int32_t>(nodes)), integer(static_cast<std::int32_t>(fields.size()));
-  for (const auto& [values, field] : fields) integer(std::int32_t{field});
-  file.write(bytes);
-  write_medit_numbers(file, fields, nodes, true);
-  bytes.clear();
+  for (const MeditSolutionPart& part : parts) {
+    keyword(part.keyword->code, 8 + 4 * part.fields.size() + bytes_of_numbers(part));
+    integer(static_cast<std::int32_t>(part.items)), integer(static_cast<std::int32_t>(part.fields.size()));
+    for (const auto& [values, field] : part.fields) integer(std::int32_t{field});
+    file.write(bytes);
+    write_medit_numbers(file, part.fields, part.items, true);
+    written += bytes.size() + bytes_of_numbers(part);
+    bytes.clear();
+  }
   keyword(medit_end, 0);
   file.write(bytes);
 }
 
 }  // namespace
 
-void write_medit_solution(AtomicFile& file, const MeditFields& fields, std::size_t nodes, bool binary) {
-  binary ? write_binary(file, fields, nodes) : write_text(file, fields, nodes);
+void write_medit_solution(AtomicFile& file, const std::vector<MeditSolutionPart>& parts, bool binary) {
+  binary ? write_binary(file, parts) : write_text(file, parts);
 }
 
 }  // namespace tetproof::io

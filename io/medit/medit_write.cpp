@@ -12,7 +12,6 @@
 #include "io/bytes/text_output.hpp"
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_plan.hpp"
-#include "io/medit/medit_solution.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 
@@ -31,7 +30,8 @@ class Writer {
       file_.write("MeshVersionFormatted 2\n\nDimension 3\n");
     vertices();
     for (const std::size_t k : plan_.order) elements(*medit_elements()[k], plan_.lists[k]);
-    for (const MeditElementFields& fields : plan_.element_fields) element_fields(fields);
+    if (plan_.fields.empty())
+      for (const MeditSolutionPart& part : plan_.element_fields) element_fields(part);
     marks(document_.node_values, true);
     marks(document_.element_values, false);
     std::set<std::string> written;
@@ -185,12 +185,11 @@ class Writer {
   }
 
   // Writes the values of all elements of a kind: how many there are, the types of the fields, the numbers.
-  void element_fields(const MeditElementFields& all) {
-    const MeditSolutionKeyword& keyword = *medit_solution_keyword_of(medit_elements()[all.list]->element);
-    const std::size_t count = all.fields.front().first->items();
+  void element_fields(const MeditSolutionPart& all) {
+    const std::size_t count = all.items;
     if (binary_) {
       const std::size_t numbers = count * medit_row(all.fields) * sizeof(double);
-      start(keyword.code, integer_size() + 4 * (1 + all.fields.size()) + numbers);
+      start(all.keyword->code, integer_size() + 4 * (1 + all.fields.size()) + numbers);
       char bytes[8];
       file_.write(
           {bytes, static_cast<std::size_t>(put_integer(bytes, static_cast<std::int64_t>(count)) - bytes)});
@@ -199,7 +198,7 @@ class Writer {
       for (const auto& [values, field] : all.fields) number(std::int32_t{field});
       at_ += numbers;
     } else {
-      file_.write(fmt::format("\n{}\n{}\n{}", keyword.name, count, all.fields.size()));
+      file_.write(fmt::format("\n{}\n{}\n{}", all.keyword->name, count, all.fields.size()));
       for (const auto& [values, field] : all.fields) file_.write(fmt::format(" {}", field));
       file_.write("\n");
     }

@@ -28,8 +28,8 @@ nlohmann::ordered_json losses_json(const std::vector<Loss>& losses);
 class MeshOutput {
  public:
   /// Says on standard error what the file will not hold ("lost: ..."), what only our reader takes back
-  /// ("kept in ..."), and warnings: the writer's, and of elements without nodes. Nothing is written yet. InputError as
-  /// `FilesInUse::writes_mesh`; `argument` is the path's name in --help.
+  /// ("kept in ..."), and warnings: the writer's, and of elements without nodes. Nothing is written yet.
+  /// InputError as `FilesInUse::writes_mesh`; `argument` is the path's name in --help.
   MeshOutput(const Common& common, FilesInUse& files, const std::string& argument, const std::string& path,
              const Document& document, const WriteOptions& options = {});
 

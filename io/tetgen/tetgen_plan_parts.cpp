@@ -47,14 +47,15 @@ bool touches(const Values& values, const TetgenList& list) {
          in_list(static_cast<std::size_t>(*least), static_cast<std::size_t>(*most - *least) + 1);
 }
 
-// The number that value k is. None: it is no whole number of 32 bits.
+// The number that value k is. None: it is no whole number that the reader takes for a tag.
 std::optional<std::int64_t> whole_number(const Values& values, std::size_t k) {
-  constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
-  if (values.reals.empty()) return values.integers[k];
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (values.reals.empty()) {
+    const std::int64_t integer = values.integers[k];
+    return integer >= -most && integer <= most ? std::optional(integer) : std::nullopt;
+  }
   const double real = values.reals[k];
-  if (!(real >= static_cast<double>(least) && real <= -static_cast<double>(least)) ||
-      real != std::trunc(real))
-    return std::nullopt;
+  if (!(std::abs(real) <= static_cast<double>(most)) || real != std::trunc(real)) return std::nullopt;
   return static_cast<std::int64_t>(real);
 }
 

@@ -43,27 +43,30 @@ TEST(ConvertStrict, StrictRefusesElementsThatOnlyACommentHolds) {
 // Gmsh and Medit refuse a file with an element whose node is missing; our reader takes it back.
 TEST(ConvertStrict, StrictNativeRefusesElementsWithoutTheirNodes) {
   const ScratchFolder folder;
-  folder.write("a.msh",
-               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
-               "$Elements\n2\n1 4 2 0 1 1 2 3 4\n2 4 2 0 1 1 2 3 9\n$EndElements\n");
+  folder.write(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "$Elements\n2\n1 4 2 0 1 1 2 3 4\n2 4 2 0 1 1 2 3 9\n$EndElements\n");
   for (const char* to : {"b.msh", "b.mesh", "b.node"}) {
     const auto convert = [&](const char* option) {
       return run_program({program("tetproof-convert"), "a.msh", to, option}, {.directory = folder / ""});
     };
     const Outcome native = convert("--strict-native");
     EXPECT_EQ(native.exit_code, 1) << to << native;
-    EXPECT_NE(native.err.find("elements that name nodes which do not exist: 1 (element 2 names node 9): other "
-                              "programs may refuse the file\n"),
-              std::string::npos)
+    EXPECT_NE(
+        native.err.find("elements that name nodes which do not exist: 1 (element 2 names node 9): other "
+                        "programs may refuse the file\n"),
+        std::string::npos)
         << to << native;
     EXPECT_NE(native.err.find("of a.msh would name nodes that do not exist (--strict-native)\n"),
               std::string::npos)
         << to << native;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.msh"});
   }
-  EXPECT_EQ(run_program({program("tetproof-convert"), "a.msh", "b.msh", "--strict"}, {.directory = folder / ""})
-                .exit_code,
-            0);
+  EXPECT_EQ(
+      run_program({program("tetproof-convert"), "a.msh", "b.msh", "--strict"}, {.directory = folder / ""})
+          .exit_code,
+      0);
 }
 
 TEST(ConvertStrict, StrictNativeKeepsNothingAside) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Medit files, text and binary: written by hand, and samples of other programs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -157,8 +158,10 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedFile{
             "TooMany", "a.mesh", head + "Vertices 1000\n0 0 0 0\n",
             "a.mesh:3: expected the number of vertices, found 1000, more than the 9 bytes left can hold"},
-        RefusedFile{"OneTooMany", "a.mesh", head + "Vertices 1\n0 0 0 0\n0 0 0 0\nEnd\n",
-                    "a.mesh:5: expected a keyword, found '0'"},
+        RefusedFile{"OneTooManyInALine", "a.mesh", head + "Vertices 1\n0 0 0 0 0\nEnd\n",
+                    "a.mesh:4: expected a keyword, found '0'"},
+        RefusedFile{"NumbersBehindTheDimension", "a.mesh", head + "3\nVertices 1\n0 0 0 0\nEnd\n",
+                    "a.mesh:3: expected a keyword, found '3'"},
         RefusedFile{"OneMissing", "a.mesh", head + "Vertices 1\n0 0 0 0\nTriangles 2\n1 1 1 0\nEnd\n",
                     "a.mesh:7: expected the number of a vertex, found 'End'"},
         RefusedFile{"BinaryVersion", "a.meshb", changed(4, 9),
@@ -171,6 +174,23 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedFile{"BinaryCut", "a.meshb", binary.substr(0, 20),
                     "a.meshb: byte 20: expected Vertices, found the end of the file"}),
     test::name_of);
+
+// Gmsh and MMG pass over lines that a keyword does not announce. Elements among them are missing then.
+TEST(MeditFiles, LinesBehindACountAreDropped) {
+  const test::TestFiles files;
+  const Document document = read_document(files.write(
+      "a.mesh", head + "Vertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n# none\n0 0 1 0\n\nTriangles\n1\n1 2 3 5\n"
+                       "2 1 3 5\n3 2 1 5\nEdges 1\n1 2 0\nSolAtVertices 3 1 1\n1\n2\n3\n4\nEnd\n"));
+  EXPECT_EQ(document.points.size(), 3u);
+  EXPECT_EQ(document.elements(), 2u);
+  std::string dropped;
+  for (const Loss& loss : document.dropped)
+    dropped += fmt::format("{} {} ({}) {}\n", loss.count, loss.item, loss.example, loss.elements);
+  EXPECT_EQ(dropped,
+            "1 lines of Vertices behind those that it announces (line 9) false\n"
+            "2 lines of Triangles behind those that it announces (line 14) true\n"
+            "1 lines of SolAtVertices behind those that it announces (line 22) false\n");
+}
 
 // Everything that the format holds, as text and as binary, also with numbers beyond 32 bits.
 TEST(MeditFiles, RoundTrips) {

@@ -175,7 +175,7 @@ std::string items_of(const std::vector<Loss>& losses) {
   return text;
 }
 
-// Values of elements stand in the mesh itself: programs expect those of vertices in the .sol.
+// Values of elements stand in the mesh itself if there are none of vertices, which programs expect in a .sol.
 TEST(MeditSolutions, OfElementsAreWrittenAndComeBack) {
   const test::TestFiles files;
   const std::string own = head +
@@ -211,6 +211,26 @@ TEST(MeditSolutions, OfElementsAreWrittenAndComeBack) {
   write_document(files.path("c.mesh"), other);
   EXPECT_EQ(values_of(read_document(files.path("c.mesh"))),
             "v elements solution 1 at 1 2: 5 6\nv elements solution 9 at 3: 11 21 31 21 22 32 31 32 33\n");
+}
+
+// With values of vertices they stand behind these; else only Medit's own files get keywords for them.
+TEST(MeditSolutions, OfElementsStandBehindThoseOfVertices) {
+  const test::TestFiles files;
+  Document document = read_document(files.write("a.mesh", mesh));
+  document.format.clear();
+  document.element_values = {{.name = "solution", .reals = {7}}};
+  EXPECT_EQ(items_of(losses(files.path("b.mesh"), document)), "1 values \"solution\" of elements (7)\n");
+  document.node_values = {{.name = "solution", .reals = {3, 4}}};
+  for (const std::string out : {"b.mesh", "b.meshb"}) {
+    EXPECT_EQ(items_of(losses(files.path(out), document)), "") << out;
+    write_document(files.path(out), document);
+    const Document back = read_document(files.path(out));
+    EXPECT_EQ(items_of(back.dropped), "") << out;
+    EXPECT_EQ(values_of(back), "v nodes solution 1: 3 4\nv elements solution 1: 7\n") << out;
+  }
+  EXPECT_EQ(files.read(files.path("b.sol")),
+            head + "SolAtVertices\n2\n1 1\n3\n4\n\nSolAtEdges\n1\n1 1\n7\n\nEnd\n");
+  EXPECT_EQ(files.read(files.path("b.mesh")).find("SolAt"), std::string::npos);
 }
 
 // With elements of one kind the values are those of all elements.

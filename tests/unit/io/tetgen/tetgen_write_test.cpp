@@ -184,6 +184,9 @@ TEST(TetgenWrite, NegativeMarkersBesideGroups) {
   const Document back = read_document(files.path("a.ele"));
   EXPECT_EQ(back.element_values.size(), 2u);  // those of triangles and those of lines
 
+  EXPECT_EQ(written(integers("markers", 1, 0, {0, -3000000000, 0, 0, -2})),
+            "values \"markers\" of elements; 2 1\n1 1 3 2 0\n2 1 2 4 5\n2 1\n1 1 2 5\n2 2 3 -2\n");
+
   // What the column cannot say stays in the comments.
   const std::string groups = "2 1\n1 1 3 2 0\n2 1 2 4 5\n2 1\n1 1 2 5\n2 2 3 0\n";
   for (const auto& numbers : {std::vector<double>{0, -1.5, 0, 0, -2.5}, {0, -1, -1, -2, 0}, {0, 4, 0, 0, 4}})
