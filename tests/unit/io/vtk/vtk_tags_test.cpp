@@ -185,6 +185,16 @@ TEST(VtkTags, DataIsNeverWrittenAsTags) {
   EXPECT_THAT(tags(read_document(files.path("b.vtu")), io::Tag::group), ElementsAre(0, 0));
 }
 
+// Only entities are written as integers under this name.
+TEST(VtkTags, RealsWithTheNameOfEntitiesStayReals) {
+  const test::TestFiles files;
+  Document document = read_document(files.write("a.vtk", legacy({})));
+  document.element_values.push_back({.name = "CellEntityIds", .reals = {0.5, 2}});
+  EXPECT_THAT(losses(files.path("b.vtk"), document), IsEmpty());
+  write_document(files.path("b.vtk"), document);
+  EXPECT_THAT(read_document(files.path("b.vtk")).element_values.at(0).reals, ElementsAre(0.5, 2));
+}
+
 // VTK 9.1 crashes at two arrays of one name.
 TEST(VtkTags, NoTwoArraysHaveOneName) {
   const test::TestFiles files;
