@@ -147,13 +147,15 @@ TEST(VtkTags, ReferencesBesideOthersOfTheirNameKeepIt) {
   EXPECT_EQ(back.node_values.at(1).name, "medit:ref");
 }
 
-// Gmsh turns elements of a negative group inside out, and keeps 32 bits of a group. In its own array such
-// numbers are groups; in those of other tools a negative number stays one of its element, and large ones are
-// data.
+// Gmsh turns elements of a negative group inside out, and keeps 32 bits of a group. In its own array, and in
+// Medit's, such numbers are groups; in those of other tools a negative number stays one of its element, and
+// large ones are data.
 TEST(VtkTags, NegativeNumbersOfOtherToolsStayNumbers) {
   const test::TestFiles files;
-  const Document of_gmsh = read_document(files.write("a.vtk", legacy({{"gmsh:physical", "-7 9"}})));
-  EXPECT_THAT(tags(of_gmsh, io::Tag::group), ElementsAre(-7, 9));
+  for (const char* name : {"gmsh:physical", "medit:ref"})
+    for (const char* type : {"int", "float"})
+      EXPECT_THAT(tags(read_document(files.write("a.vtk", legacy({{name, "-7 9"}}, type))), io::Tag::group),
+                  ElementsAre(-7, 9));
   const Document document = read_document(files.write("a.vtk", legacy({{"material", "-7 9"}})));
   EXPECT_THAT(tags(document, io::Tag::group), ElementsAre(0, 9));
   ASSERT_EQ(document.element_values.size(), 1u);
