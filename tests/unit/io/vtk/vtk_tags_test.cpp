@@ -187,39 +187,6 @@ TEST(VtkTags, DataIsNeverWrittenAsTags) {
   EXPECT_THAT(tags(read_document(files.path("b.vtu")), io::Tag::group), ElementsAre(0, 0));
 }
 
-// Only entities are written as integers under this name.
-TEST(VtkTags, RealsWithTheNameOfEntitiesStayReals) {
-  const test::TestFiles files;
-  Document document = read_document(files.write("a.vtk", legacy({})));
-  document.element_values.push_back({.name = "CellEntityIds", .reals = {0.5, 2}});
-  EXPECT_THAT(losses(files.path("b.vtk"), document), IsEmpty());
-  write_document(files.path("b.vtk"), document);
-  EXPECT_THAT(read_document(files.path("b.vtk")).element_values.at(0).reals, ElementsAre(0.5, 2));
-}
-
-// VTK 9.1 crashes at two arrays of one name.
-TEST(VtkTags, NoTwoArraysHaveOneName) {
-  const test::TestFiles files;
-  Document document =
-      read_document(files.write("a.vtk", legacy({{"gmsh:physical", "7 9"}, {"entity", "3 4"}})));
-  for (const char* name : {"gmsh:physical", "gmsh:geometrical", "CellEntityIds", "gmsh:physical"})
-    document.element_values.push_back({.name = name, .reals = {0.5, 2}});
-  const auto count = [&](const char* file, const std::string& name) {
-    write_document(files.path(file), document, {.binary = false});
-    const std::string text = test::TestFiles::read(files.path(file));
-    int found = 0;
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; ++at) ++found;
-    return found;
-  };
-  for (const char* name : {"\"gmsh:physical\"", "\"gmsh:physical #2\"", "\"gmsh:physical #3\"",
-                           "\"gmsh:geometrical\"", "\"gmsh:geometrical #2\"", "\"CellEntityIds\""})
-    EXPECT_EQ(count("b.vtu", name), 1) << name;
-  for (const char* name : {"gmsh:physical 1 ", "gmsh:physical%20#2 1", "gmsh:geometrical 1",
-                           "CellEntityIds int", "CellEntityIds%20#2 1"})
-    EXPECT_EQ(count("b.vtk", name), 1) << name;
-  EXPECT_EQ(losses(files.path("b.vtu"), document).at(0).count, 3);
-}
-
 TEST(VtkTags, AreWrittenInTheWordsOfTheirToolOrMeshio) {
   const test::TestFiles files;
   const auto written = [&](const Document& document, const char* name) {
