@@ -20,13 +20,13 @@ struct TagWord {
 };
 
 inline constexpr std::string_view own_group_word = "gmsh:physical", own_entity_word = "gmsh:geometrical",
-                                  old_group_word = "group";
+                                  old_group_word = "group", medit_group_word = "medit:ref";
 
 /// If a file has several words for the same tag, the first of these counts, and the others are data.
 inline constexpr std::array tag_words{
     TagWord{own_group_word, Tag::group, "tetproof, and meshio for Gmsh's groups"},
     TagWord{old_group_word, Tag::group, "tetproof, before it took meshio's word"},
-    TagWord{"medit:ref", Tag::group, "MMG, and meshio for Medit's references"},
+    TagWord{medit_group_word, Tag::group, "MMG, and meshio for Medit's references"},
     TagWord{"tetgen:ref", Tag::group, "meshio for TetGen's attributes and markers"},
     TagWord{"Label", Tag::group, "FreeFem"},
     TagWord{"MaterialID", Tag::group, "deal.II"},

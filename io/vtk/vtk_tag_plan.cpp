@@ -63,11 +63,11 @@ std::vector<std::string> vtk_names_of_groups(const Document& document) {
   }
   std::vector<std::string> names(most);
   for (std::size_t k = 1; k < names.size(); ++k) names[k] = vtk_group_array(k + 1);
-  if (!names.empty())
-    names[0] = !common                        ? own_group_word
-               : !document.group_word.empty() ? document.group_word
-               : document.format == "medit"   ? "medit:ref"
-                                              : own_group_word;
+  if (names.empty()) return names;
+  names[0] = !document.group_word.empty() ? document.group_word
+             : document.format == "medit" ? std::string(medit_group_word)
+                                          : std::string(own_group_word);
+  if (!common && !has_any_group(names[0])) names[0] = own_group_word;
   return names;
 }
 

@@ -33,9 +33,9 @@ Fit fit(std::string_view name, std::span<const std::int64_t> integers, std::span
     fit.any |= all ? tag != 0 : tag > 0;
   }
   for (const double tag : reals) {  // -0 would come back as 0
-    fit.fits &= !entities && tag >= 0 && tag <= static_cast<double>(most) && !std::signbit(tag) &&
-                tag == std::trunc(tag);
-    fit.any |= tag > 0;
+    fit.fits &= !entities && (all ? std::abs(tag) : tag) <= static_cast<double>(most) &&
+                tag == std::trunc(tag) && (tag > 0 || (tag < 0 && all) || (tag == 0 && !std::signbit(tag)));
+    fit.any |= all ? tag != 0 : tag > 0;
   }
   return fit;
 }
@@ -91,7 +91,8 @@ bool may_be_tags(std::string_view name, std::span<const std::int64_t> integers,
 }
 
 bool has_any_group(std::string_view name) {
-  return name == own_group_word || name == old_group_word || name.starts_with(group_prefix);
+  return name == own_group_word || name == old_group_word || name == medit_group_word ||
+         name.starts_with(group_prefix);
 }
 
 bool is_common_group(std::int64_t group) {

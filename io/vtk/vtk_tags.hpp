@@ -32,11 +32,11 @@ VtkTagNames vtk_tag_names(std::span<const std::vector<Column>> pieces);
 bool may_be_vtk_tag_name(std::string_view name);
 
 /// Whether numbers of this name may be tags: integers, or reals that are whole, as MMG writes them. A group
-/// of another tool than Gmsh is a number of 32 bits; negative ones are none, and stay numbers of their
-/// elements. Zeros alone say nothing.
+/// of another tool than Gmsh and Medit is a number of 32 bits; negative ones are none, and stay numbers of
+/// their elements. Zeros alone say nothing.
 bool may_be_tags(std::string_view name, std::span<const std::int64_t> integers,
                  std::span<const double> reals);
-/// Whether negative numbers under this name are groups, and any number is: Gmsh has them.
+/// Whether negative numbers under this name are groups, and any number is: Gmsh and Medit have them.
 bool has_any_group(std::string_view name);
 /// Whether a group can stand under any name.
 bool is_common_group(std::int64_t group);

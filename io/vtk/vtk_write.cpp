@@ -22,8 +22,8 @@ namespace {
 
 class Writer {
  public:
-  Writer(AtomicFile& file, const Document& document, const VtkMesh& mesh, bool binary)
-      : file_(file), document_(document), mesh_(mesh), binary_(binary) {}
+  Writer(AtomicFile& file, const Document& document, const VtkMesh& mesh, bool has_entities, bool binary)
+      : file_(file), document_(document), mesh_(mesh), has_entities_(has_entities), binary_(binary) {}
 
   void write() {
     std::string title = document_.title.substr(0, longest_vtk_title);
@@ -102,7 +102,7 @@ class Writer {
     if (arrays.empty()) return;
     file_.write(fmt::format("{} {}\n", keyword, items));
     std::size_t fields = arrays.size();
-    if (arrays[0].name == "CellEntityIds") {  // as Gmsh writes it
+    if (has_entities_ && &arrays == &mesh_.cell_data) {  // as Gmsh writes it
       const char* type = all_int(arrays[0]) ? "Int32" : "Int64";
       file_.write(fmt::format("SCALARS CellEntityIds {} 1\nLOOKUP_TABLE default\n", vtk_word_of_type(type)));
       body(arrays[0], type);
@@ -207,6 +207,7 @@ class Writer {
   AtomicFile& file_;
   const Document& document_;
   const VtkMesh& mesh_;
+  const bool has_entities_;  // as the first cell data
   const bool binary_;
   std::vector<Index> own_list_;  // the cells, where polyhedra are among them
   std::vector<std::int64_t> own_ends_;
@@ -230,7 +231,9 @@ class LegacyPlan : public VtkFilePlan {
   }
 
  private:
-  void write_into(AtomicFile& file) override { Writer(file, document_, mesh(), binary_).write(); }
+  void write_into(AtomicFile& file) override {
+    Writer(file, document_, mesh(), !plan_.entities.empty(), binary_).write();
+  }
 };
 
 }  // namespace

@@ -21,11 +21,13 @@ def points_of(grid):
     return np.array([grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())])
 
 
-def write_xml(data, path, mode="Appended", packed="LZ4"):
+def write_xml(data, path, mode="Appended", packed="LZ4", pieces=1, ghost_levels=0):
     kind = data.GetClassName()
     writer = getattr(vtk, kind.replace("vtk", "vtkXML") + "Writer")()
     getattr(writer, f"SetDataModeTo{mode}")()
     getattr(writer, f"SetCompressorTypeTo{packed}")()
+    if data.GetExtentType() == vtk.VTK_3D_EXTENT:
+        writer.SetNumberOfPieces(pieces), writer.SetGhostLevel(ghost_levels)
     writer.SetInputData(data), writer.SetFileName(str(path)), writer.Write()
 
 
@@ -127,6 +129,10 @@ def structured(folder):
         for data, ending in ((image, "vti"), (rectilinear, "vtr"), (grid, "vts")):
             add_data(data, folder)
             for file in files_of(data, folder, "structured", ending):
+                same_as(data, file, folder)
+            for pieces, ghost_levels in ((2, 0), (3, 1), (4, 2)):
+                file = folder / f"structured-{pieces}-{ghost_levels}.{ending}"
+                write_xml(data, file, "Appended", "ZLib", pieces, ghost_levels)
                 same_as(data, file, folder)
 
 

@@ -164,6 +164,32 @@ TEST(VtkPieces, TextsGoOn) {
   }
 }
 
+// Parallel programs write such pieces. They have arrays without values.
+TEST(VtkPieces, WithoutPointsOrCellsAddNothing) {
+  const test::TestFiles files;
+  const auto full = piece("<PointData>" + array("p", "1 2 3 4") + "</PointData>" +
+                          cell_data(array("q", "5") + array("r", "1.5", "Float64") +
+                                    array("s", "97 0", "String") + array("material", "3")));
+  const std::string empty = "<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"><Points/><Cells>" +
+                            array("connectivity", "") + array("offsets", "") + array("types", "", "UInt8") +
+                            "</Cells><PointData>" + array("p", "") + "</PointData>" +
+                            cell_data(array("q", "") + array("r", "", "Float64") + array("s", "", "String") +
+                                      array("material", "")) +
+                            "</Piece>";
+  for (const std::string& pieces : {empty + full, full + empty, empty + full + empty}) {
+    const Document document = read_document(files.write("a.vtu", vtu(pieces)));
+    EXPECT_EQ(test::text_of(document, false),
+              "n 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\nn 3 0 0 1\ne 0 4 3/0 g3 p: 0 1 2 3\nv nodes p 1: 1 2 3 4\n"
+              "v elements q 1: 5\nv elements r 1: 1.5\nv elements s 1: 0\n");
+    EXPECT_THAT(document.element_values.at(2).labels, ElementsAre("a"));
+    EXPECT_THAT(losses(files.path("b.vtu"), document), IsEmpty());
+  }
+  const Document between = read_document(files.write("a.vtu", vtu(full + empty + full)));
+  ASSERT_EQ(between.element_values.size(), 3u);
+  EXPECT_THAT(between.element_values[0].integers, ElementsAre(5, 5));
+  EXPECT_THAT(between.element_values[1].reals, ElementsAre(1.5, 1.5));
+}
+
 // Zeros in one piece say nothing: another tells whether they are tags.
 TEST(VtkPieces, TagsAreTagsInAllPieces) {
   const test::TestFiles files;
