@@ -225,10 +225,26 @@ bool all_finite(const std::vector<Vector3d>& points, const std::vector<Triangle>
   });
 }
 
+struct DirectedSides {
+  std::vector<std::array<Index, 2>> all, reversed;  // sorted
+
+  explicit DirectedSides(const std::vector<Triangle>& triangles) {
+    for (const Triangle& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = t[k], b = t[(k + 1) % 3];
+        all.push_back({a, b}), reversed.push_back({b, a});
+      }
+    std::sort(all.begin(), all.end());
+    std::sort(reversed.begin(), reversed.end());
+  }
+  // Whether each is run as often one way as the other.
+  bool balanced() const { return all == reversed; }
+  bool repeated() const { return std::adjacent_find(all.begin(), all.end()) != all.end(); }
+};
+
 // Whether the triangles are the surface of one solid already, in one piece and wound outwards, as in most
 // files.
 bool is_one_solid(const std::vector<Vector3d>& points, const std::vector<Triangle>& triangles) {
-  std::vector<std::array<Index, 2>> sides, reversed;
   std::vector<std::size_t> parent(points.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
@@ -238,11 +254,8 @@ bool is_one_solid(const std::vector<Vector3d>& points, const std::vector<Triangl
   double volume = 0, size = 0;
   const Vector3d& origin = points[static_cast<std::size_t>(triangles[0][0])];
   for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3];
-      sides.push_back({a, b}), reversed.push_back({b, a});
-      parent[root(static_cast<std::size_t>(a))] = root(static_cast<std::size_t>(b));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      parent[root(static_cast<std::size_t>(t[k]))] = root(static_cast<std::size_t>(t[(k + 1) % 3]));
     const auto p = [&](std::size_t k) -> Vector3d { return points[static_cast<std::size_t>(t[k])] - origin; };
     const double part = p(0).dot(p(1).cross(p(2)));
     volume += part, size += std::abs(part);
@@ -251,9 +264,8 @@ bool is_one_solid(const std::vector<Vector3d>& points, const std::vector<Triangl
   const std::size_t first = root(static_cast<std::size_t>(triangles[0][0]));
   for (const Triangle& t : triangles)
     if (root(static_cast<std::size_t>(t[0])) != first) return false;
-  std::sort(sides.begin(), sides.end());
-  std::sort(reversed.begin(), reversed.end());
-  return sides == reversed && std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+  const DirectedSides sides(triangles);
+  return sides.balanced() && !sides.repeated();
 }
 
 }  // namespace
@@ -270,6 +282,7 @@ bool are_solid_boundary(const std::vector<Vector3d>& points, const std::vector<T
                         std::span<const Vector3d> holes) {
   if (triangles.empty() || !all_finite(points, triangles)) return false;
   if (holes.empty() && is_one_solid(points, triangles)) return true;
+  if (!DirectedSides(triangles).balanced()) return false;
   const std::optional<SolidBoundary> boundary = Cells(points, triangles).boundary(holes);
   return boundary && boundary->turned == 0 && boundary->triangles.size() == triangles.size();
 }
