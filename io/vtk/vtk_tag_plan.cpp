@@ -98,8 +98,7 @@ VtkNodeName vtk_node_name(const Document& document, const Values& values) {
   if (values.name == node_references && numbers && !others(node_reference_word) && !others(node_references))
     return {std::string(node_reference_word), values.name};
   if (values.name == node_reference_word && values.components == 1 &&
-      !are_texts(values, document.points.size()) && !others(node_references) &&
-      !others(node_reference_word))
+      !are_texts(values, document.points.size()) && !others(node_references) && !others(node_reference_word))
     return {values.name, std::string(node_references)};
   return {values.name, values.name};
 }
