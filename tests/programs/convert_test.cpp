@@ -114,9 +114,8 @@ TEST(Convert, UsageAndInput) {
 TEST(Convert, HelpNamesEveryEndingThatIsRead) {
   const Outcome run = run_program({program("tetproof-convert"), "--help"});
   EXPECT_EQ(run.exit_code, 0) << run;
-  for (const char* ending :
-       {".msh ", ".node ", ".edge ", ".cell ", ".vtu ", ".vtk ", ".meshb ", ".ply ", ".vtp ", ".vti ", ".vtr ", ".vts; ",
-        ".sol ", ".step"})
+  for (const char* ending : {".msh ", ".node ", ".edge ", ".cell ", ".vtu ", ".vtk ", ".meshb ", ".ply ",
+                             ".vtp ", ".vti ", ".vtr ", ".vts; ", ".sol ", ".step"})
     EXPECT_NE(run.out.find(ending), std::string::npos) << ending << run;
 }
 
