@@ -11,8 +11,8 @@ namespace {
 
 bool alike(const Values& a, const Values& b) {
   return a.name == b.name && a.components == b.components && a.reals.empty() == b.reals.empty() &&
-         a.labels == b.labels && a.nodes.empty() == b.nodes.empty() && a.of_view == b.of_view &&
-         a.time == b.time && a.step == b.step && a.partition == b.partition &&
+         a.labels == b.labels && a.texts == b.texts && a.nodes.empty() == b.nodes.empty() &&
+         a.of_view == b.of_view && a.time == b.time && a.step == b.step && a.partition == b.partition &&
          a.interpolation == b.interpolation && a.length_power == b.length_power;
 }
 
