@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a fuzz campaign costs beside its mesher, in CPU time: surfaces, cases of a mesher that does nothing, verdicts; and
-the seconds a case of real meshers, from which the cost of a million cases follows."""
+the seconds a case of real meshers, from which the cost of a million cases follows; and how long the shrinker takes."""
 import glob
 import json
 import os
@@ -14,6 +14,10 @@ SURFACES = 500
 CASES = 100
 PRESETS = ["tetgen,pq", "gmsh,delaunay", "hxt"]
 A_MILLION = 10**6
+# Findings on surfaces of more than 120 triangles, with the meshers of Debian 12, each of another kind.
+LARGE = [("tetgen,pY", "101:103"), ("tetgen,pY", "101:6"), ("tetgen,pY", "101:164"), ("tetgen,pY", "101:47"), ("tetgen,pq", "102:249"),
+         ("tetgen,p", "105:28"), ("gmsh,delaunay", "201:57"), ("gmsh,delaunay", "201:269"), ("gmsh,raw", "203:337"), ("hxt,1-raw", "304:146")]
+SMALL, PATIENCE = 60, 120  # triangles, seconds
 
 
 def fuzz(bench):
@@ -30,6 +34,23 @@ def fuzz(bench):
         row = campaign(bench, name, words)
         if row:
             print(f"| {name} | {row['mesher']:.4f} | {row['verdict']:.4f} | {row['rest']:.4f} | {row['sound']} | {row['whole'] * A_MILLION / 3600:,.0f} |", flush=True)
+    print()
+    shrinking(bench)
+
+
+def shrinking(bench):
+    """Runs of the mesher and seconds until a finding has few triangles."""
+    print(f"### Shrinking to {SMALL} triangles, at most {PATIENCE} s\n\n"
+          "| mesher | finding | triangles | left | runs of the mesher | wall s |\n|---|---|---|---|---|---|")
+    for mesher, case in LARGE:
+        command = bench.command(f"shrink {mesher} {case}", bench.ours("tests/bench/shrink_rates"), SMALL, PATIENCE, bench.path("shrink-rates"), mesher, case)
+        print(f"  shrinking {mesher} {case}", file=sys.stderr)
+        command.run(bench.cores)
+        with open(command.log) as file:
+            row = json.loads(file.readline())
+        bench.record.setdefault("shrinking", []).append(row)
+        print(f"| {mesher} | {row['outcome']}: {row['signature']} | {row['triangles']} | {row['left']}{'' if row['reached'] else ', not reached'} "
+              f"| {row['calls']} | {row['seconds']:.1f} |", flush=True)
     print()
 
 
