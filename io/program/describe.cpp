@@ -20,9 +20,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+struct OfType {
+  int least_nodes = 0, most_nodes = 0;  // of an element; polygons, polyhedra and polylines differ in these
+  std::int64_t elements = 0;
+};
+
 struct Figures {
-  std::map<int, std::pair<int, std::int64_t>> types;  // nodes each, elements
-  std::array<std::int64_t, 4> entities{};             // by dimension
+  std::map<int, OfType> types;
+  std::array<std::int64_t, 4> entities{};  // by dimension
   // Elements by (dimension, group). A group's sign tells only how its elements are oriented.
   std::map<std::pair<int, std::int64_t>, std::int64_t> groups;
   std::map<std::pair<int, std::int64_t>, std::string> names;
@@ -35,9 +40,13 @@ Figures count(const Document& document) {
   Figures figures;
   std::set<std::pair<int, std::int64_t>> entities;
   for (const ElementBlock& block : document.blocks) {
-    auto& [nodes, elements] = figures.types[block.type];
-    nodes = block.nodes_each;
-    elements += static_cast<std::int64_t>(block.count);
+    if (block.count > 0) {
+      OfType& of_type = figures.types[block.type];
+      of_type.least_nodes =
+          of_type.elements == 0 ? block.nodes_each : std::min(of_type.least_nodes, block.nodes_each);
+      of_type.most_nodes = std::max(of_type.most_nodes, block.nodes_each);
+      of_type.elements += static_cast<std::int64_t>(block.count);
+    }
     if (block.entity != 0) entities.insert({block.dim, block.entity});
     for (std::int64_t group : document.tag_sets[block.groups])
       figures.groups[{block.dim, std::abs(group)}] += static_cast<std::int64_t>(block.count);
@@ -67,6 +76,7 @@ std::pair<std::int64_t, std::int64_t> range(const std::vector<std::int64_t>& tag
 }
 
 std::string shape_of(int type) {
+  if (type == io::polygon) return "polygon";
   if (type == io::polyhedron) return "polyhedron";
   if (type == io::polyline) return "polyline";
   const io::ElementType* known = io::element_type(type);
@@ -135,8 +145,9 @@ std::string describe_text(const Document& document) {
   }
   text += '\n';
   for (const auto& [type, what] : figures.types)
-    text += fmt::format("{:>10} of them {} of {}{}\n", what.second, shape_of(type),
-                        io::counted(what.first, "nodes"), type_in_words(type));
+    text += fmt::format("{:>10} of them {} of {}{}{}\n", what.elements, shape_of(type),
+                        what.least_nodes < what.most_nodes ? fmt::format("{} to ", what.least_nodes) : "",
+                        io::counted(what.most_nodes, "nodes"), type_in_words(type));
   if (!document.unknown.empty())
     text +=
         fmt::format("{}, the first {}\n", row(document.unknown.size(), "numbers of nodes that do not exist"),
@@ -188,9 +199,12 @@ Json describe_json(const Document& document) {
     json["elements"]["largest"] = most;
   }
   Json types = Json::array();
-  for (const auto& [type, what] : figures.types)
-    types.push_back(
-        {{"type", type}, {"shape", shape_of(type)}, {"nodes", what.first}, {"count", what.second}});
+  for (const auto& [type, what] : figures.types) {
+    Json one{
+        {"type", type}, {"shape", shape_of(type)}, {"nodes", what.least_nodes}, {"count", what.elements}};
+    if (what.least_nodes < what.most_nodes) one["most_nodes"] = what.most_nodes;
+    types.push_back(std::move(one));
+  }
   json["elements"]["types"] = types;
   json["unknown_nodes"] = document.unknown.size();
   json["entities"] = figures.entities;

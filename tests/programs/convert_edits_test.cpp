@@ -149,6 +149,17 @@ TEST_F(ConvertEdits, InfoShowsWhatEditsMake) {
 }
 
 // What --info finds is judged and listed as that of a conversion.
+TEST_F(ConvertEdits, InfoTellsTheSizesOfPolygonsAndPolylines) {
+  folder.write(
+      "c.vtk",
+      "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 7 double\n0 0 0 1 0 0 2 1 0 1 2 0 0 2 0 "
+      "-1 1 0 5 5 5\nLINES 2 9\n3 0 1 6\n4 0 1 2 6\nPOLYGONS 3 19\n5 0 1 2 3 4\n6 0 1 2 3 4 5\n5 0 1 2 3 "
+      "5\n");
+  const Outcome run = convert({"--info", "c.vtk"});
+  EXPECT_NE(run.out.find("         3 of them polygon of 5 to 6 nodes"), std::string::npos) << run;
+  EXPECT_NE(run.out.find("         2 of them polyline of 3 to 4 nodes"), std::string::npos) << run;
+}
+
 TEST_F(ConvertEdits, InfoListsLosses) {
   folder.write("p.msh", std::string(mixed) + "$Mine\n10\n$EndMine\n");
   const Outcome run = convert({"--info", "p.msh", "--renumber", "--strict", "--losses", "l.json"});
