@@ -95,7 +95,7 @@ class ValueLosses : LossFinder {
     if (holds_.makes_boundary)
       for (const Written& written : written_.blocks())
         if (!written.block->of_boundary && written.block->dim == 2)
-          add("elements as faces of a mesh, not polygons of a boundary to mesh", written.count,
+          add("that faces are of a mesh, not facets of a body to mesh", written.count,
               element(*written.block));
     if (!holds_.facets && !document_.facets.empty())
       add("facets of several polygons or with holes", document_.facets.size(),

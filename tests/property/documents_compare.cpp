@@ -188,7 +188,7 @@ class Comparison {
           "that faces are TetGen's facets, which have no direction and may lie inside of the body", 1,
           example, may_be_surface_, example);
     else if (was.of_boundary != is.of_boundary)
-      differences_.add_one("elements as faces of a mesh, not polygons of a boundary to mesh", example);
+      differences_.add_one("that faces are of a mesh, not facets of a body to mesh", example);
     for (std::size_t k = 0; k < is.nodes.size(); ++k) {
       if (is.nodes[k] >= 0) continue;
       const std::int64_t a = before_.named(was.nodes[k]), b = after_.named(is.nodes[k]);
