@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/writing.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "io/codecs.hpp"
 #include "io/loss/file_plan.hpp"
+#include "io/loss/loss_list.hpp"
+#include "io/loss/written_part.hpp"
+#include "io/model/group_signs.hpp"
 #include "io/model/polylines.hpp"
 #include "io/supplement/supplement.hpp"
 
@@ -19,8 +26,12 @@ PlannedFile::PlannedFile(PlannedFile&&) noexcept = default;
 io::FilePlan& PlannedFile::plan() {
   if (plan_) return *plan_;
   const io::Codec& codec = io::codec_named(encoding_.format);
+  if (!encoding_.format.starts_with("msh") && io::has_signed_groups(document_)) {
+    changed_ = std::make_unique<Document>(io::with_unsigned_groups(document_, !codec.keeps_aside));
+    unsigned_groups_ = true;
+  }
   if (!codec.polylines && io::has_polylines(document_))
-    cut_ = std::make_unique<Document>(io::with_polylines_cut(document_, lost_by_cutting_));
+    changed_ = std::make_unique<Document>(io::with_polylines_cut(written(), lost_by_cutting_));
   plan_ = codec.plan(written(), encoding_.binary);
   return *plan_;
 }
@@ -31,10 +42,32 @@ void PlannedFile::find_losses() {
   const io::Holds& holds = plan().holds();
   std::vector<Loss> unheld = io::unheld(written(), holds);
   losses_ = lost_by_cutting_;
+  if (unsigned_groups_) find_lost_signs(holds);
   if (holds.kept_in.empty())
     losses_->insert(losses_->end(), unheld.begin(), unheld.end());
   else
     kept_aside_ = {holds.kept_in, std::move(unheld)};
+}
+
+// Where groups are written or kept aside: their signs are gone, and the elements are not turned.
+void PlannedFile::find_lost_signs(const io::Holds& holds) {
+  std::map<const ElementBlock*, std::size_t> comes_back;
+  const io::WrittenPart part(written(), holds);
+  for (const io::WrittenPart::Block& one : part.blocks()) comes_back[one.block] = one.count;
+  for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
+    const ElementBlock &was = document_.blocks[b], &is = written().blocks[b];
+    if (was.groups == is.groups) continue;
+    const auto& groups = document_.tag_sets[static_cast<std::size_t>(was.groups)];
+    std::size_t count = was.count;
+    if (holds.kept_in.empty()) {
+      if (holds.groups_of ? !holds.groups_of(is) : holds.groups == io::Holds::Groups::none) continue;
+      if (holds.groups == io::Holds::Groups::first && groups.front() >= 0) continue;
+      count = comes_back[&is];
+    }
+    io::add_loss(*losses_, "signs of physical groups", count,
+                 fmt::format("element {} in group {}", document_.element_tag(was.first),
+                             *std::min_element(groups.begin(), groups.end())));
+  }
 }
 
 const std::vector<Loss>& PlannedFile::losses() {

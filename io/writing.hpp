@@ -16,7 +16,8 @@ namespace tetproof {
 
 namespace io {
 class FilePlan;
-}
+struct Holds;
+}  // namespace io
 
 /// A document that is going to be written to `path`. Each answer is computed when it is first asked for, and
 /// only once. `losses`, `kept_aside`, `write_warning` and `write_document` each make a PlannedFile of their
@@ -52,15 +53,18 @@ class PlannedFile {
 
  private:
   io::FilePlan& plan();
-  /// The document that the format gets: `document_`, or one in which its polylines are cut into lines.
-  const Document& written() const { return cut_ ? *cut_ : document_; }
+  /// The document that the format gets: `document_`, or one in which its polylines are cut into lines and its
+  /// groups have no signs.
+  const Document& written() const { return changed_ ? *changed_ : document_; }
   void find_losses();
+  void find_lost_signs(const io::Holds& holds);
 
   std::string path_;
   const Document& document_;
   Encoding encoding_;
-  std::unique_ptr<Document> cut_;  // set with `plan_`
+  std::unique_ptr<Document> changed_;  // set with `plan_`, as the next two
   std::vector<Loss> lost_by_cutting_;
+  bool unsigned_groups_ = false;
   std::unique_ptr<io::FilePlan> plan_;
   std::optional<std::vector<Loss>> losses_;
   KeptAside kept_aside_;  // set with `losses_`

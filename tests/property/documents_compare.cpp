@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
@@ -171,10 +173,22 @@ class Comparison {
 
   void element(const Element& was, const Element& is) {
     const std::string example = fmt::format("element {}", was.tag);
-    if (was.groups != is.groups) {
+    std::vector<std::int64_t> groups = was.groups;
+    const auto is_there = [](const std::vector<std::int64_t>& all, std::int64_t group) {
+      return std::find(all.begin(), all.end(), group) != all.end();
+    };
+    if (std::any_of(groups.begin(), groups.end(), [&](std::int64_t group) {
+          return group < 0 && is_there(is.groups, -group) && !is_there(was.groups, -group);
+        })) {
+      differences_.add_one("signs of physical groups", example);
+      groups.clear();
+      for (const std::int64_t group : was.groups)
+        if (!is_there(groups, std::abs(group))) groups.push_back(std::abs(group));
+    }
+    if (groups != is.groups) {
       if (is.groups.empty())
         differences_.add_one("physical groups of elements", example);
-      else if (is.groups.size() == 1 && !was.groups.empty() && is.groups[0] == was.groups[0])
+      else if (is.groups.size() == 1 && !groups.empty() && is.groups[0] == groups[0])
         differences_.add_one("physical groups beyond an element's first", example);
       else
         differences_.add("changed physical groups", 1, example);

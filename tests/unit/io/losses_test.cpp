@@ -96,6 +96,37 @@ TEST_P(Losses, AreListed) {
 INSTANTIATE_TEST_SUITE_P(OfARichDocument, Losses, testing::ValuesIn(loss_cases),
                          [](const auto& test) { return test.param.name; });
 
+// Gmsh's `Physical Surface(5) = {-1, 2}`: the elements of surface 1 are turned, and in group 5.
+TEST(Losses, OfGmshsReversedGroupsOnlyTheSign) {
+  const test::TestFiles files;
+  const Document document = read_document(
+      files.write("a.msh",
+                  "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 5 \"wall\"\n$EndPhysicalNames\n"
+                  "$Entities\n0 0 2 0\n1 0 0 0 1 1 0 1 -5 0\n2 0 0 0 1 1 0 1 5 0\n$EndEntities\n"
+                  "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
+                  "$Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n2 2 2 1\n2 1 3 4\n$EndElements\n"));
+  for (const char* to : {"b.mesh", "b.vtu", "b.vtk", "b.face"}) {
+    std::vector<std::string> lost;
+    for (const Loss& loss : losses(files.path(to), document))
+      if (loss.item == "signs of physical groups")
+        lost.push_back(fmt::format("{} {}", loss.count, loss.example));
+    EXPECT_EQ(lost, std::vector<std::string>{"1 element 1 in group -5"}) << to;
+    write_document(files.path(to), document);
+    const Document back = read_document(files.path(to));
+    for (const ElementBlock& block : back.blocks)
+      EXPECT_EQ(back.tag_sets.at(static_cast<std::size_t>(block.groups)), std::vector<std::int64_t>{5}) << to;
+    EXPECT_EQ(back.elements(), 2U) << to;
+  }
+  for (const char* format : {"msh41", "msh22"}) {
+    const WriteOptions options{.format = format};
+    EXPECT_TRUE(losses(files.path("c.msh"), document, options).empty()) << format;
+    write_document(files.path("c.msh"), document, options);
+    const Document back = read_document(files.path("c.msh"));
+    EXPECT_EQ(back.tag_sets.at(static_cast<std::size_t>(back.blocks.at(0).groups)),
+              std::vector<std::int64_t>{-5});
+  }
+}
+
 TEST(Losses, NoneForAPlainMesh) {
   for (const char* file : {"a.msh", "a.node", "a.vtu"})
     EXPECT_TRUE(losses(file, document_of(one_tet)).empty()) << file;
