@@ -20,8 +20,9 @@ struct Codec {
   ReadDocument (*read)(const InputFile&, Wanted);
   /// `binary`: the encoding, which must be one that the format has. The plan refers to the document.
   std::unique_ptr<FilePlan> (*plan)(const Document&, bool binary);
-  bool polylines = false;    ///< whether the format has them; to others they are cut into lines
-  bool keeps_aside = false;  ///< whether its files have a corner for what the format has no place for
+  bool polylines = false;  ///< whether the format has them; to others they are cut into lines
+  /// Whether its files have a corner for what the format has no place for, such as signs of groups.
+  bool keeps_aside = false;
 };
 
 /// All formats, in the order of `formats()`.

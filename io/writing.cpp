@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "io/codecs.hpp"
@@ -26,8 +25,8 @@ PlannedFile::PlannedFile(PlannedFile&&) noexcept = default;
 io::FilePlan& PlannedFile::plan() {
   if (plan_) return *plan_;
   const io::Codec& codec = io::codec_named(encoding_.format);
-  if (!encoding_.format.starts_with("msh") && io::has_signed_groups(document_)) {
-    changed_ = std::make_unique<Document>(io::with_unsigned_groups(document_, !codec.keeps_aside));
+  if (!codec.keeps_aside && io::has_signed_groups(document_)) {
+    changed_ = std::make_unique<Document>(io::with_unsigned_groups(document_));
     unsigned_groups_ = true;
   }
   if (!codec.polylines && io::has_polylines(document_))
@@ -49,22 +48,16 @@ void PlannedFile::find_losses() {
     kept_aside_ = {holds.kept_in, std::move(unheld)};
 }
 
-// Where groups are written or kept aside: their signs are gone, and the elements are not turned.
+// Where groups are written: their signs are gone, and the elements are not turned.
 void PlannedFile::find_lost_signs(const io::Holds& holds) {
-  std::map<const ElementBlock*, std::size_t> comes_back;
   const io::WrittenPart part(written(), holds);
-  for (const io::WrittenPart::Block& one : part.blocks()) comes_back[one.block] = one.count;
-  for (std::size_t b = 0; b < document_.blocks.size(); ++b) {
-    const ElementBlock &was = document_.blocks[b], &is = written().blocks[b];
-    if (was.groups == is.groups) continue;
+  for (const io::WrittenPart::Block& one : part.blocks()) {
+    const ElementBlock& was = document_.blocks[static_cast<std::size_t>(one.block - written().blocks.data())];
+    if (was.groups == one.block->groups) continue;
+    if (holds.groups_of ? !holds.groups_of(*one.block) : holds.groups == io::Holds::Groups::none) continue;
     const auto& groups = document_.tag_sets[static_cast<std::size_t>(was.groups)];
-    std::size_t count = was.count;
-    if (holds.kept_in.empty()) {
-      if (holds.groups_of ? !holds.groups_of(is) : holds.groups == io::Holds::Groups::none) continue;
-      if (holds.groups == io::Holds::Groups::first && groups.front() >= 0) continue;
-      count = comes_back[&is];
-    }
-    io::add_loss(*losses_, "signs of physical groups", count,
+    if (holds.groups == io::Holds::Groups::first && groups.front() >= 0) continue;
+    io::add_loss(*losses_, "signs of physical groups", one.count,
                  fmt::format("element {} in group {}", document_.element_tag(was.first),
                              *std::min_element(groups.begin(), groups.end())));
   }

@@ -18,27 +18,31 @@ bool is_signed(std::int64_t group) {
 }  // namespace
 
 bool has_signed_groups(const Document& document) {
-  return document.format.starts_with("msh") &&
-         std::any_of(document.blocks.begin(), document.blocks.end(), [&](const ElementBlock& block) {
-           const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-           return block.count > 0 && std::any_of(groups.begin(), groups.end(), is_signed);
-         });
+  return std::any_of(document.blocks.begin(), document.blocks.end(), [&](const ElementBlock& block) {
+    const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
+    return block.count > 0 && std::any_of(groups.begin(), groups.end(), [&](std::int64_t group) {
+             return unsigned_group(document, group) != group;
+           });
+  });
 }
 
-Document with_unsigned_groups(const Document& document, bool of_entities) {
+std::int64_t unsigned_group(const Document& document, std::int64_t group) {
+  return is_signed(group) && document.format.starts_with("msh") ? -group : group;
+}
+
+Document with_unsigned_groups(const Document& document) {
   Document result = document;
   TagSets sets(result);
   const auto without_signs = [&](std::int32_t& groups) {
     std::vector<std::int64_t> left;
-    for (std::int64_t group : document.tag_sets[static_cast<std::size_t>(groups)]) {
-      if (is_signed(group)) group = -group;
+    for (const std::int64_t signed_group : document.tag_sets[static_cast<std::size_t>(groups)]) {
+      const std::int64_t group = unsigned_group(document, signed_group);
       if (std::find(left.begin(), left.end(), group) == left.end()) left.push_back(group);
     }
     groups = sets(left);
   };
   for (ElementBlock& block : result.blocks) without_signs(block.groups);
-  if (of_entities)
-    for (Entity& entity : result.entities) without_signs(entity.groups);
+  for (Entity& entity : result.entities) without_signs(entity.groups);
   return result;
 }
 

@@ -4,6 +4,8 @@
 // group.
 #pragma once
 
+#include <cstdint>
+
 #include "io/document.hpp"
 
 namespace tetproof::io {
@@ -11,8 +13,11 @@ namespace tetproof::io {
 /// Whether the document comes from Gmsh and has a group with a sign.
 bool has_signed_groups(const Document& document);
 
-/// The document with the same blocks, whose elements are in groups without signs. They are not turned.
-/// `of_entities`: so are the groups of entities.
-Document with_unsigned_groups(const Document& document, bool of_entities);
+/// The number without the sign that it has if the document comes from Gmsh.
+std::int64_t unsigned_group(const Document& document, std::int64_t group);
+
+/// The document with the same blocks, whose elements and entities are in groups without signs. They are not
+/// turned.
+Document with_unsigned_groups(const Document& document);
 
 }  // namespace tetproof::io

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/model/element_types.hpp"
+#include "io/model/group_signs.hpp"
 #include "io/tetgen/tetgen_node_order.hpp"
 #include "io/tetgen/tetgen_plan_parts.hpp"
 
@@ -65,7 +66,7 @@ std::int64_t TetgenPlan::number(const Document& document, Index node) const {
 
 std::int64_t first_group(const Document& document, const ElementBlock& block) {
   const auto& groups = document.tag_sets[static_cast<std::size_t>(block.groups)];
-  return groups.empty() ? 0 : groups[0];
+  return groups.empty() ? 0 : unsigned_group(document, groups[0]);
 }
 
 std::int64_t TetgenTags::group_of(const Document& document, const ElementBlock& block,

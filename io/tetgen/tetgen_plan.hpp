@@ -51,7 +51,7 @@ struct TetgenPlan {
   /// Returns the number that is written for a node.
   std::int64_t number(const Document&, Index node) const;
 };
-/// Returns the first physical group of a block; 0: it has none.
+/// Returns the first physical group of a block, without a sign of Gmsh's; 0: it has none.
 std::int64_t first_group(const Document&, const ElementBlock&);
 /// Returns the number that is written for `Document::unknown[k]`.
 std::int64_t tetgen_unknown(const Document&, std::int64_t base, std::size_t k);

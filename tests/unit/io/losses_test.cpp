@@ -105,7 +105,7 @@ TEST(Losses, OfGmshsReversedGroupsOnlyTheSign) {
                   "$Entities\n0 0 2 0\n1 0 0 0 1 1 0 1 -5 0\n2 0 0 0 1 1 0 1 5 0\n$EndEntities\n"
                   "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
                   "$Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n2 2 2 1\n2 1 3 4\n$EndElements\n"));
-  for (const char* to : {"b.mesh", "b.vtu", "b.vtk", "b.face"}) {
+  for (const char* to : {"b.mesh", "b.vtu", "b.vtk"}) {
     std::vector<std::string> lost;
     for (const Loss& loss : losses(files.path(to), document))
       if (loss.item == "signs of physical groups")
@@ -117,6 +117,14 @@ TEST(Losses, OfGmshsReversedGroupsOnlyTheSign) {
       EXPECT_EQ(back.tag_sets.at(static_cast<std::size_t>(block.groups)), std::vector<std::int64_t>{5}) << to;
     EXPECT_EQ(back.elements(), 2U) << to;
   }
+  // TetGen gets the group, and a comment keeps the sign.
+  write_document(files.path("b.face"), document);
+  std::string faces = files.read(files.path("b.face"));
+  EXPECT_EQ(faces.substr(0, faces.find('#')), "2 1\n1 1 2 3 5\n2 1 3 4 5\n");
+  EXPECT_TRUE(losses(files.path("b.face"), document).empty());
+  const Document tetgen = read_document(files.path("b.face"));
+  EXPECT_EQ(tetgen.tag_sets.at(static_cast<std::size_t>(tetgen.blocks.at(0).groups)),
+            std::vector<std::int64_t>{-5});
   for (const char* format : {"msh41", "msh22"}) {
     const WriteOptions options{.format = format};
     EXPECT_TRUE(losses(files.path("c.msh"), document, options).empty()) << format;
