@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/msh/msh_write.hpp"
 
+#include <limits>
+
+#include "io/bytes/words.hpp"
 #include "io/supplement/supplement.hpp"
 
 namespace tetproof::io {
@@ -33,6 +36,22 @@ std::string msh_kept_sections(const Document& document, const Holds& holds, bool
     text += fmt::format("$End{}\n", section.name);
   }
   return text;
+}
+
+std::string MshFilePlan::warning(const std::string& path) {
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  std::size_t count = 0;
+  std::int64_t first = 0;
+  for (const ElementBlock& block : document_.blocks)
+    for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(block.groups)]) {
+      if ((group >= -most && group <= most) || block.count == 0) continue;
+      if (count == 0) first = group;
+      count += block.count;
+      break;
+    }
+  if (count == 0) return "";
+  return fmt::format("{}: Gmsh takes physical groups beyond 32 bits for others: {}, the first in {}", path,
+                     counted(count, "elements"), first);
 }
 
 void MshFilePlan::write(const std::string& path, const std::string& supplement) {

@@ -61,6 +61,8 @@ void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, c
 class MshFilePlan : public FilePlan {
  public:
   using FilePlan::FilePlan;
+  /// Warns of physical groups beyond 32 bits, which our reader takes back and Gmsh reads as others.
+  std::string warning(const std::string& path) final;
   void write(const std::string& path, const std::string& supplement) final;
 
  private:

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "io/model/block_of.hpp"
 #include "io/model/values.hpp"
 #include "io/stl/stl.hpp"
 #include "io/surface/surface_document.hpp"
@@ -100,6 +101,24 @@ bool StlCutter::cut_facet(const Facet& facet, std::size_t element,
   return true;
 }
 
+namespace {
+
+// Blocks with faces of a facet that comes into the solid of its first face, which is of another group.
+std::set<const ElementBlock*> blocks_in_other_solids(const Document& document) {
+  std::set<const ElementBlock*> others;
+  for (const Facet& facet : document.facets) {
+    const ElementBlock& first = block_of(document.blocks, facet.first);
+    for (std::size_t e = facet.first; e < facet.first + facet.polygons;) {
+      const ElementBlock& block = block_of(document.blocks, e);
+      if (block.dim == 2 && block.groups != first.groups) others.insert(&block);
+      e = block.first + block.count;
+    }
+  }
+  return others;
+}
+
+}  // namespace
+
 StlPlan stl_plan(const Document& document, bool binary) {
   StlPlan plan{.solids = solids_of(document)};
   if (binary && keeps_all_elements(document, corners_of_triangles(document)))
@@ -123,6 +142,10 @@ Holds stl_holds(const Document& document, const StlPlan& plan, bool binary) {
 
   if (binary) return holds;
   holds.groups = Holds::Groups::first;
+  if (!document.facets.empty())
+    holds.groups_of = [others = blocks_in_other_solids(document)](const ElementBlock& block) {
+      return others.count(&block) == 0;
+    };
   std::set<std::pair<std::int64_t, std::string>> names;
   for (const StlSolid& solid : plan.solids)
     if (!solid.group.name.empty()) names.insert({solid.group.number, solid.group.name});

@@ -96,6 +96,20 @@ TEST_P(Losses, AreListed) {
 INSTANTIATE_TEST_SUITE_P(OfARichDocument, Losses, testing::ValuesIn(loss_cases),
                          [](const auto& test) { return test.param.name; });
 
+TEST(WriteWarning, OfGroupsThatGmshTakesForOthers) {
+  const test::TestFiles files;
+  Document document = document_of(one_tet);
+  document.tag_sets = {{}, {2147483648}};
+  document.blocks[0].groups = 1;
+  for (const char* format : {"msh22", "msh41"})
+    EXPECT_EQ(
+        write_warning("a.msh", document, {.format = format}),
+        "a.msh: Gmsh takes physical groups beyond 32 bits for others: 1 element, the first in 2147483648")
+        << format;
+  document.tag_sets[1] = {2147483647};
+  EXPECT_EQ(write_warning("a.msh", document), "");
+}
+
 // Gmsh's `Physical Surface(5) = {-1, 2}`: the elements of surface 1 are turned, and in group 5.
 TEST(Losses, OfGmshsReversedGroupsOnlyTheSign) {
   const test::TestFiles files;
