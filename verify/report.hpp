@@ -137,6 +137,9 @@ struct VolumeAccount {
 struct Fidelity {
   std::optional<double> mesh_to_surface, surface_to_mesh;
   double error_bound = 0, allowed = 0;
+  /// A point of the boundary (of the surface) whose distance to the other is at least the given value, up to
+  /// rounding. Absent if the distance is 0 or was not measured.
+  std::optional<Eigen::Vector3d> mesh_to_surface_at{}, surface_to_mesh_at{};
 };
 
 /// A distribution: `counts[i]` values lie in [edges[i], edges[i+1]). The last interval has no upper end, and

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "io/bytes/base64.hpp"
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/scanner.hpp"

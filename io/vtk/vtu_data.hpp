@@ -12,9 +12,6 @@
 
 namespace tetproof::io {
 
-inline constexpr std::string_view base64_digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
 /// The encoding of all arrays of a file.
 struct VtuEncoding {
   const std::string& path;

@@ -118,6 +118,11 @@ bool is_larger(const DirectedDistance& distance, double allowed, CheckResult& re
   return false;
 }
 
+std::optional<Point> place_of(const DirectedDistance& distance) {
+  if (distance.lower > 0 && distance.triangle >= 0) return distance.point;
+  return std::nullopt;
+}
+
 // A distance that is too large: at a face of the boundary, to which one of these vertices may belong.
 Suspects too_far(const Comparison& c, const DirectedDistance& distance, Index face, std::string what,
                  const std::vector<OffVertex>& off) {
@@ -181,6 +186,7 @@ DistanceEvidence measure_distances(const Comparison& c, Record& record) {
     question.nearest = &evidence.nearest_triangle;
     evidence.to_surface = directed_distance(*c.mesh_tree, *c.surface_tree, question);
     fidelity.mesh_to_surface = evidence.to_surface->lower;
+    fidelity.mesh_to_surface_at = place_of(*evidence.to_surface);
     fidelity.error_bound = evidence.to_surface->upper - evidence.to_surface->lower;
   }
   if (vertices) find_off_vertices(c, evidence);
@@ -189,6 +195,7 @@ DistanceEvidence measure_distances(const Comparison& c, Record& record) {
     question.nearest = &nearest_face;
     evidence.to_mesh = directed_distance(*c.surface_tree, *c.mesh_tree, question);
     fidelity.surface_to_mesh = evidence.to_mesh->lower;
+    fidelity.surface_to_mesh_at = place_of(*evidence.to_mesh);
     fidelity.error_bound = std::max(fidelity.error_bound, evidence.to_mesh->upper - evidence.to_mesh->lower);
   }
   return evidence;

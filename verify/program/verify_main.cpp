@@ -21,6 +21,7 @@
 #include "io/program/program.hpp"
 #include "io/program/report_losses.hpp"
 #include "verify/defects.hpp"
+#include "verify/report_page.hpp"
 #include "verify/verify.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ constexpr const char* examples =
 )";
 
 struct Arguments {
-  std::string mesh, surface, region, defects, junit;
+  std::string mesh, surface, region, defects, junit, html;
   ReadOptions mesh_read, surface_read;
   verify::Options options;
   bool list_checks = false, list_surfaces = false;
@@ -65,13 +66,16 @@ Loaded load(const Arguments& arguments, const program::Common& common) {
   return loaded;
 }
 
-verify::Report judge(const TetMesh& mesh, Arguments& arguments, const program::Common& common) {
+// The surface is kept for the page.
+verify::Report judge(const TetMesh& mesh, Arguments& arguments, const program::Common& common,
+                     TriangleSurface& kept) {
   if (arguments.surface.empty()) return verify::verify(mesh, arguments.options);
   SurfaceFile file = corpus::open_surface_file(arguments.surface, arguments.surface_read);
   program::report_reading(common, file.warnings, file.dropped);
   verify::add_unread_surface(arguments.options.unjudged, file.dropped);
   try {
-    const verify::JudgedSurface surface(file.surface, std::move(file.numbering));
+    kept = std::move(file.surface);
+    const verify::JudgedSurface surface(kept, std::move(file.numbering));
     return verify::verify(mesh, surface, arguments.options);
   } catch (const InputError& error) {
     throw InputError(arguments.surface + ": " + error.what());
@@ -89,6 +93,7 @@ program::FilesInUse files_of(const Arguments& arguments, const program::Common& 
   if (!arguments.defects.empty()) program::check_holds_tetrahedra(arguments.defects);
   files.writes_mesh("--defects", arguments.defects, {});
   files.writes("--junit", arguments.junit);
+  files.writes("--html", arguments.html);
   return files;
 }
 
@@ -112,8 +117,8 @@ int work(const Arguments& given, const program::Common& common) {
     arguments.options.region = regions.at(arguments.region);
   }
 
-  // Measuring costs half as much as the proof. The measurements are printed as JSON only.
-  arguments.options.quality = !common.json.empty();
+  // Measuring costs half as much as the proof. The measurements are printed as JSON and in the page only.
+  arguments.options.quality = !common.json.empty() || !arguments.html.empty();
 
   program::FilesInUse files = files_of(arguments, common);
   const auto start = std::chrono::steady_clock::now();
@@ -122,7 +127,8 @@ int work(const Arguments& given, const program::Common& common) {
   arguments.options.region_tags = std::move(loaded.regions.tags);
   arguments.options.unjudged = std::move(loaded.unjudged);
   const double reading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  verify::Report report = judge(loaded.mesh, arguments, common);
+  TriangleSurface surface;
+  verify::Report report = judge(loaded.mesh, arguments, common, surface);
   if (arguments.options.timings) report.seconds.insert(report.seconds.begin(), {"reading", reading});
 
   if (!arguments.defects.empty()) {
@@ -132,6 +138,16 @@ int work(const Arguments& given, const program::Common& common) {
   if (!common.json.empty()) program::write_text(common.json, verify::report_json(report, loaded.numbering));
   if (!arguments.junit.empty())
     program::write_text(arguments.junit, verify::report_junit(report, arguments.mesh, loaded.numbering));
+  if (!arguments.html.empty())
+    program::write_text(
+        arguments.html,
+        verify::report_page(report, {.mesh = loaded.mesh,
+                                     .numbering = loaded.numbering,
+                                     .mesh_name = arguments.mesh,
+                                     .surface = arguments.surface.empty() ? nullptr : &surface,
+                                     .surface_name = arguments.surface,
+                                     .regions = arguments.options.regions,
+                                     .region_tags = arguments.options.region_tags}));
   if (!files.standard_output_is_taken())
     program::write_text("-", arguments.mesh + ": " + verify::report_text(report, loaded.numbering));
   return verify::sound(report)       ? program::sound
@@ -218,6 +234,11 @@ int main(int argc, char** argv) {
         app.add_option("--junit", arguments->junit,
                        "write the verdict as JUnit XML, a test case for each check; - is standard output")
             ->type_name("FILE.xml")
+            ->always_capture_default(false);
+        app.add_option("--html", arguments->html,
+                       "write a page for any browser, without a network: findings, checks, measures, and the "
+                       "mesh with its defects in three dimensions; - is standard output")
+            ->type_name("FILE.html")
             ->always_capture_default(false);
         app.add_flag("--timings", options.timings, "seconds per phase, in text and JSON");
         return [arguments, &common] { return work(*arguments, common); };

@@ -16,22 +16,6 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::warning:
-      return "warning";
-    case Verdict::fail:
-      return "fail";
-    case Verdict::undecided:
-      return "undecided";
-    case Verdict::skipped:
-      return "skipped";
-  }
-  return "";
-}
-
 // Which of those with its number each element is; empty if none shares its number.
 template <class Nth>
 Json nth_of(const std::vector<Index>& elements, const Nth& nth) {
@@ -39,6 +23,10 @@ Json nth_of(const std::vector<Index>& elements, const Nth& nth) {
   if (std::any_of(elements.begin(), elements.end(), [&](Index i) { return nth(i) > 0; }))
     for (const Index i : elements) all.push_back(std::max(nth(i), 1));
   return all;
+}
+
+Json point(const std::optional<Eigen::Vector3d>& p) {
+  return p ? Json{p->x(), p->y(), p->z()} : Json();
 }
 
 Json json(const Finding& finding, const Numbering& numbering) {
@@ -49,13 +37,12 @@ Json json(const Finding& finding, const Numbering& numbering) {
     faces.push_back({numbering.point(a), numbering.point(b), numbering.point(c)});
   for (const Consequence& c : finding.consequences)
     consequences.push_back({{"check", info(c.check).id}, {"count", c.count}});
-  Json point, exact;
-  if (finding.point) point = {finding.point->x(), finding.point->y(), finding.point->z()};
+  Json exact;
   if (!finding.point_exact[0].empty()) exact = finding.point_exact;
   Json all = {{"tets", tets},
               {"vertices", vertices},
               {"faces", faces},
-              {"point", point},
+              {"point", point(finding.point)},
               {"point_exact", exact},
               {"what", finding.what},
               {"consequences", consequences}};
@@ -72,7 +59,7 @@ Json json(const Finding& finding, const Numbering& numbering) {
 Json json(const CheckResult& result, const Numbering& numbering) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) findings.push_back(json(finding, numbering));
-  Json all = {{"id", info(result.check).id},           {"verdict", name(result.verdict)},
+  Json all = {{"id", info(result.check).id},           {"verdict", verdict_name(result.verdict)},
               {"exact", info(result.check).all_exact}, {"count", result.count},
               {"consequences", result.consequences},   {"measured", or_null(result.measured)},
               {"allowed", or_null(result.allowed)},    {"findings", findings}};
@@ -141,7 +128,9 @@ Json report_json_object(const Report& report, const Numbering& numbering) {
     all["fidelity"] = {{"mesh_to_surface", or_null(report.fidelity->mesh_to_surface)},
                        {"surface_to_mesh", or_null(report.fidelity->surface_to_mesh)},
                        {"error_bound", report.fidelity->error_bound},
-                       {"allowed", report.fidelity->allowed}};
+                       {"allowed", report.fidelity->allowed},
+                       {"mesh_to_surface_at", point(report.fidelity->mesh_to_surface_at)},
+                       {"surface_to_mesh_at", point(report.fidelity->surface_to_mesh_at)}};
   if (report.quality) {
     const Quality& q = *report.quality;
     all["quality"] = {{"tets", q.tets},

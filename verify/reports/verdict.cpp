@@ -128,6 +128,22 @@ bool sound(const Report& report) {
   return !defective(report) && report.not_judged.empty();
 }
 
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::warning:
+      return "warning";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::skipped:
+      return "skipped";
+  }
+  return "";
+}
+
 const char* verdict_word(const Report& report) {
   return defective(report) ? "defective" : sound(report) ? "sound" : "incomplete";
 }

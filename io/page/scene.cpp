@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/page/scene.hpp"
+
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/bytes/base64.hpp"
+
+namespace tetproof::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "the page's arrays are little-endian");
+
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
+  return base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+// Three bytes each.
+std::string short_bytes_of(const std::vector<std::array<Index, 4>>& tets) {
+  std::string bytes;
+  bytes.reserve(tets.size() * 12);
+  for (const auto& tet : tets)
+    for (const Index v : tet)
+      for (const int shift : {0, 8, 16}) bytes += static_cast<char>(v >> shift & 255);
+  return base64(bytes);
+}
+
+Json point(const Eigen::Vector3d& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Numbers that mostly count up: for each run its first position and its first number.
+Json runs(const std::vector<std::int64_t>& numbers) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (i == 0 || numbers[i] != numbers[i - 1] + 1) all.push_back({i, numbers[i]});
+  return all;
+}
+
+Json json(const SceneLayer& layer) {
+  return {{"id", layer.id},
+          {"name", layer.name},
+          {"colour", layer.colour},
+          {"opacity", layer.opacity},
+          {"shown", layer.shown},
+          {"boundary", layer.boundary},
+          {"tets", bytes_of(layer.tets)},
+          {"triangles", bytes_of(layer.triangles)}};
+}
+
+}  // namespace
+
+std::string scene_json(const Scene& scene) {
+  if (scene.points.size() > std::size_t{1} << 24) throw std::logic_error("a scene of more than 2^24 points");
+  Json all = {{"points", bytes_of(scene.points)},
+              {"tets", short_bytes_of(scene.tets)},
+              {"cut_tets", scene.cut_tets},
+              {"cut_axes", scene.cut_axes},
+              {"cut_anywhere", scene.cut_anywhere},
+              {"cut_middle", point(scene.cut_middle)},
+              {"tet_numbers", runs(scene.tet_numbers)},
+              {"point_numbers", runs(scene.point_numbers)},
+              {"tet_regions", bytes_of(scene.tet_regions)},
+              {"regions", scene.regions},
+              {"point_values", bytes_of(scene.point_values)},
+              {"point_value_name", scene.point_value_name},
+              {"layers", Json::array()},
+              {"edges", Json::array()},
+              {"marks", Json::array()},
+              {"targets", Json::array()}};
+  for (const SceneLayer& layer : scene.layers) all["layers"].push_back(json(layer));
+  for (const SceneEdges& edges : scene.edges)
+    all["edges"].push_back({{"id", edges.id},
+                            {"name", edges.name},
+                            {"colour", edges.colour},
+                            {"shown", edges.shown},
+                            {"edges", bytes_of(edges.edges)}});
+  for (const SceneMark& mark : scene.marks)
+    all["marks"].push_back({{"point", point(mark.point)}, {"text", mark.text}, {"colour", mark.colour}});
+  for (const SceneTarget& target : scene.targets)
+    all["targets"].push_back({{"middle", point(target.middle)},
+                              {"radius", target.radius},
+                              {"text", target.text},
+                              {"tets", target.tets},
+                              {"nodes", target.nodes}});
+  const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // "</script>" and "<!--" mean something to a browser even inside of a text of JSON.
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text)
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  return safe;
+}
+
+std::size_t scene_size(std::size_t tets, std::size_t points, std::size_t triangles) {
+  return (tets * (12 + sizeof(std::int32_t)) + points * (sizeof(Eigen::Vector3d) + sizeof(float)) +
+          triangles * 4 * sizeof(Index)) /
+         3 * 4;
+}
+
+}  // namespace tetproof::io

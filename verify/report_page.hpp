@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report as a page of HTML with a view of the mesh and its defects in three dimensions.
+#pragma once
+
+#include <string>
+
+#include "io/tet_mesh.hpp"
+#include "io/triangle_surface.hpp"
+#include "verify/report.hpp"
+
+namespace tetproof::verify {
+
+/// What was judged, for `report_page`.
+struct PageSubject {
+  const TetMesh& mesh;
+  const Numbering& numbering;
+  std::string mesh_name;                     ///< shown as it is; it may hold any characters
+  const TriangleSurface* surface = nullptr;  ///< what the mesh was compared with, if anything
+  std::string surface_name{};
+  /// As in `Options`: the region of each tetrahedron as a position in `region_tags`; empty: one region.
+  const std::vector<std::int64_t>& regions;
+  const std::vector<RegionTag>& region_tags;
+};
+
+/// One file that opens from disk in any browser, without a network: the verdict, every finding with a place
+/// to fly to, the table of checks, volumes, distances, regions, histograms of quality, and the view:
+/// boundary, surface, defects with one ring around them, witness points, and the places of the largest
+/// distances.
+///
+/// At most 20 MB. The view holds all tetrahedra, so that the mesh can be cut anywhere, where about 800,000
+/// fit; of larger meshes those that planes through the middle meet. A boundary of more than 150,000 faces is
+/// drawn by fewer triangles. Tetrahedra that findings name are always there. The page says what it leaves
+/// out. The same input gives the same bytes.
+std::string report_page(const Report& report, const PageSubject& subject);
+
+}  // namespace tetproof::verify
