@@ -27,10 +27,10 @@ struct PageSubject {
 /// boundary, surface, defects with one ring around them, witness points, and the places of the largest
 /// distances.
 ///
-/// At most 20 MB. The view holds all tetrahedra, so that the mesh can be cut anywhere, where about 800,000
-/// fit; of larger meshes those that planes through the middle meet. A boundary of more than 150,000 faces is
-/// drawn by fewer triangles. Tetrahedra that findings name are always there. The page says what it leaves
-/// out. The same input gives the same bytes.
+/// At most 20 MB, unless findings name very many tetrahedra: these are always there. The view holds all
+/// tetrahedra, so that the mesh can be cut anywhere, where they fit (about 650,000); of larger meshes those
+/// that planes through the middle meet, and a boundary drawn by at most 150,000 triangles. The page says what
+/// it leaves out. The same input gives the same bytes.
 std::string report_page(const Report& report, const PageSubject& subject);
 
 }  // namespace tetproof::verify

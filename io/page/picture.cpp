@@ -66,7 +66,7 @@ std::string picture_svg(const Scene& scene) {
   std::size_t reduced_layers = 0;
   for (const SceneLayer& layer : scene.layers) {
     if (!layer.shown) continue;
-    const ReducedTriangles fewer = reduced(scene.points, layer.triangles, most_triangles);
+    const ReducedTriangles fewer = reduced(scene.points, triangles_of(scene, layer), most_triangles);
     reduced_layers += fewer.cell > 0;
     for (const auto& t : fewer.triangles) {
       std::array<Vector3d, 3> p;

@@ -39,7 +39,7 @@ std::vector<double> round_numbers(double low, double high, int parts) {
                                          : 10 * power;
   std::vector<double> all;
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && all.size() < 20; ++k)
-    all.push_back(k * step);
+    all.push_back(k * step + 0.0);  // no -0
   return all;
 }
 

@@ -50,11 +50,24 @@ Json json(const SceneLayer& layer) {
           {"opacity", layer.opacity},
           {"shown", layer.shown},
           {"boundary", layer.boundary},
+          {"triangles", bytes_of(layer.triangles)},
           {"tets", bytes_of(layer.tets)},
-          {"triangles", bytes_of(layer.triangles)}};
+          {"faces", bytes_of(layer.faces)},
+          {"values", bytes_of(layer.values)}};
 }
 
 }  // namespace
+
+std::vector<std::array<Index, 3>> triangles_of(const Scene& scene, const SceneLayer& layer) {
+  std::vector<std::array<Index, 3>> triangles = layer.triangles;
+  for (const std::uint32_t face : layer.faces) {
+    const std::array<Index, 4>& tet = scene.tets[face >> 2];
+    const std::array<int, 3>& corners = tet_faces[face & 3];
+    triangles.push_back({tet[static_cast<std::size_t>(corners[0])], tet[static_cast<std::size_t>(corners[1])],
+                         tet[static_cast<std::size_t>(corners[2])]});
+  }
+  return triangles;
+}
 
 std::string scene_json(const Scene& scene) {
   if (scene.points.size() > std::size_t{1} << 24) throw std::logic_error("a scene of more than 2^24 points");
@@ -68,8 +81,7 @@ std::string scene_json(const Scene& scene) {
               {"point_numbers", runs(scene.point_numbers)},
               {"tet_regions", bytes_of(scene.tet_regions)},
               {"regions", scene.regions},
-              {"point_values", bytes_of(scene.point_values)},
-              {"point_value_name", scene.point_value_name},
+              {"value_name", scene.value_name},
               {"layers", Json::array()},
               {"edges", Json::array()},
               {"marks", Json::array()},
@@ -99,12 +111,6 @@ std::string scene_json(const Scene& scene) {
     else
       safe += c;
   return safe;
-}
-
-std::size_t scene_size(std::size_t tets, std::size_t points, std::size_t triangles) {
-  return (tets * (12 + sizeof(std::int32_t)) + points * (sizeof(Eigen::Vector3d) + sizeof(float)) +
-          triangles * 4 * sizeof(Index)) /
-         3 * 4;
 }
 
 }  // namespace tetproof::io

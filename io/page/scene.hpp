@@ -13,15 +13,19 @@
 
 namespace tetproof::io {
 
-/// Triangles that are shown and hidden together.
+/// Triangles that are shown and hidden together: `triangles`, or `faces`.
 struct SceneLayer {
-  std::string id;                               ///< of the switch on the page: letters and "-"
-  std::string name;                             ///< what the switch is called
-  std::vector<std::array<Index, 3>> triangles;  ///< positions in `Scene::points`
-  /// For each triangle a tetrahedron that it is a face of, as a position in `Scene::tets`, or -1. Empty: the
-  /// triangles belong to no tetrahedra.
-  std::vector<Index> tets;
-  std::string colour = "#8fb4d8";  ///< "#rrggbb"; of layers of tetrahedra: where no value colours them
+  std::string id;                                 ///< of the switch on the page: letters and "-"
+  std::string name;                               ///< what the switch is called
+  std::vector<std::array<Index, 3>> triangles{};  ///< positions in `Scene::points`
+  /// For each of `triangles` a tetrahedron that it is a face of, as a position in `Scene::tets`. Empty: they
+  /// belong to no tetrahedra.
+  std::vector<Index> tets{};
+  /// Faces of tetrahedra: 4 * (position in `Scene::tets`) + position in `tet_faces`.
+  std::vector<std::uint32_t> faces{};
+  /// A value of each triangle or face that can colour it, such as a distance; NaN: none. Empty: no values.
+  std::vector<float> values{};
+  std::string colour = "#8fb4d8";  ///< "#rrggbb", where nothing else colours it
   double opacity = 1;
   bool shown = true;
   bool boundary = false;  ///< the boundary of the tetrahedra: the cut takes its place
@@ -64,21 +68,18 @@ struct Scene {
   std::vector<std::int64_t> tet_numbers, point_numbers;  ///< the file's; of points without one: -1
   std::vector<std::int32_t> tet_regions;                 ///< positions in `regions`; empty: one region
   std::vector<std::string> regions;                      ///< the names of the regions
-  /// A value of each point that can colour the triangles, such as a distance; NaN: none. Empty: there is no
-  /// such value.
-  std::vector<float> point_values;
-  std::string point_value_name;
+  std::string value_name;                                ///< what `SceneLayer::values` measures
   std::vector<SceneLayer> layers;
   std::vector<SceneEdges> edges;
   std::vector<SceneMark> marks;
   std::vector<SceneTarget> targets;
 };
 
+/// The triangles of a layer, whether it has them as triangles or as faces.
+std::vector<std::array<Index, 3>> triangles_of(const Scene& scene, const SceneLayer& layer);
+
 /// The scene as JSON for the page's script (viewer.js). Arrays of numbers are base64 of little-endian values;
 /// the corners of tetrahedra have three bytes each, so there may be 2^24 points. No character of the text can
 /// end the element of the page that holds it. Throws std::logic_error if there are more points.
 std::string scene_json(const Scene& scene);
-/// About how long `scene_json` is for so many tetrahedra, points and triangles [bytes].
-std::size_t scene_size(std::size_t tets, std::size_t points, std::size_t triangles);
-
 }  // namespace tetproof::io

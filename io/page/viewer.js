@@ -16,7 +16,6 @@
   const short = decode(scene.tets, Uint8Array), tets = new Int32Array(short.length / 3);   // three bytes each
   for (let i = 0; i < tets.length; ++i) tets[i] = short[3 * i] | short[3 * i + 1] << 8 | short[3 * i + 2] << 16;
   const tetRegions = decode(scene.tet_regions, Int32Array);
-  const pointValues = decode(scene.point_values, Float32Array);
   const tetCount = tets.length / 4;
   // A position's number in the file; the numbers are stored as runs that count up.
   function numberOf(runs, position) {
@@ -93,7 +92,7 @@
   const camera = new THREE.PerspectiveCamera(35, 1, 1e-5, 100);
   camera.up.set(0, 0, 1);
   const allRadius = Math.hypot(...high.map((h, k) => h / 2 - low[k] / 2)) / half / 2;   // a ball around everything
-  camera.position.set(2.2, -3.2, 1.6).setLength(4 * allRadius);
+  camera.position.set(2.2, -3.2, 1.6).setLength(3 * allRadius);
   world.add(camera);
   world.add(new THREE.AmbientLight(0xffffff, 0.55));
   const lamp = new THREE.DirectionalLight(0xffffff, 0.6);
@@ -110,8 +109,10 @@
     return ramp[k].clone().lerp(ramp[k + 1], at - k);
   }
   const grey = new THREE.Color('#9aa3ab');
-  let largestValue = 0;
-  for (const value of pointValues) if (value > largestValue) largestValue = value;
+  const valuesOf = scene.layers.map(layer => decode(layer.values, Float32Array));
+  let largestValue = 0, anyValue = false;
+  for (const values of valuesOf)
+    for (const value of values) if (value >= 0) { anyValue = true; if (value > largestValue) largestValue = value; }
   const colourings = {
     plain: {name: 'one colour', of: (layer) => layer.plain},
     region: {
@@ -122,10 +123,10 @@
       name: 'smallest dihedral angle', usable: tetCount > 0, ends: ['0\u00b0', '70\u00b0'],
       of: (layer, tet) => tet < 0 ? layer.plain : rampColour(smallestAngle(tet) / 70),
     },
-    distance: {
-      name: scene.point_value_name, usable: pointValues.length > 0, ends: ['0', largestValue.toPrecision(4)],
-      of: (layer, tet, a, b, c) => {
-        const value = Math.max(pointValues[a], pointValues[b], pointValues[c]);
+    value: {
+      name: scene.value_name, usable: anyValue, ends: ['0', largestValue.toPrecision(3)],
+      of: (layer, tet, i) => {
+        const value = layer.values ? layer.values[i] : NaN;
         return value >= 0 ? rampColour(largestValue > 0 ? value / largestValue : 0) : grey;
       },
     },
@@ -137,7 +138,7 @@
     const count = triangles.length / 3, position = new Float32Array(9 * count), colour = new Float32Array(9 * count);
     for (let i = 0; i < count; ++i) {
       const v = triangles.subarray(3 * i, 3 * i + 3);
-      const c = colourings[layer.coloured ? colouring : 'plain'].of(layer, tetOf.length ? tetOf[i] : -1, v[0], v[1], v[2]);
+      const c = colourings[layer.coloured ? colouring : 'plain'].of(layer, tetOf.length ? tetOf[i] : -1, i);
       for (let k = 0; k < 3; ++k) {
         position.set(place.subarray(3 * v[k], 3 * v[k] + 3), 9 * i + 3 * k);
         colour.set([c.r, c.g, c.b], 9 * i + 3 * k);
@@ -158,9 +159,18 @@
   function makeLayer(given, index) {
     const layer = {
       id: given.id, name: given.name, plain: new THREE.Color(given.colour), boundary: given.boundary,
-      triangles: decode(given.triangles, Int32Array), tets: decode(given.tets, Int32Array),
+      triangles: decode(given.triangles, Int32Array), tets: decode(given.tets, Int32Array), values: valuesOf[index],
       wanted: given.shown, coloured: given.boundary, opacity: given.opacity,
     };
+    const ids = decode(given.faces, Uint32Array);
+    if (ids.length) {
+      layer.tets = new Int32Array(ids.length);
+      layer.triangles = new Int32Array(3 * ids.length);
+      ids.forEach((id, i) => {
+        layer.tets[i] = id >>> 2;
+        faces[id & 3].forEach((corner, k) => { layer.triangles[3 * i + k] = tets[4 * (id >>> 2) + corner]; });
+      });
+    }
     layer.material = new THREE.MeshLambertMaterial({
       vertexColors: THREE.VertexColors, side: THREE.DoubleSide, transparent: given.opacity < 1, opacity: given.opacity,
       depthWrite: given.opacity >= 1,
@@ -245,7 +255,10 @@
     cut.mesh = new THREE.Mesh(geometryOf(layer, cut.triangles, cut.tets),
       new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide, polygonOffset: true,
         polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
-    cut.mesh.add(linesOf(sidesOf(cut.triangles), '#2b3137'));
+    const sides = linesOf(sidesOf(cut.triangles), '#2b3137');
+    sides.material.transparent = true;   // very many edges would make all black
+    sides.material.opacity = Math.min(1, Math.max(0.12, 6000 / Math.max(1, cut.tets.length)));
+    cut.mesh.add(sides);
     world.add(cut.mesh);
   }
   // Where the whole mesh can be cut, the cut takes the boundary's place; else the plane cuts the boundary and the surface.
@@ -494,7 +507,7 @@
   home.addEventListener('click', () => {
     select([], [], '', '');
     if (boundary) setOpacity(scene.layers.find(layer => layer.boundary).opacity);
-    fly(new THREE.Vector3(), 0.8 * allRadius, () => {});
+    fly(new THREE.Vector3(), 0.6 * allRadius, () => {});
   });
   resize();
   showLayers();
