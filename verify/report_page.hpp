@@ -20,6 +20,9 @@ struct PageSubject {
   /// As in `Options`: the region of each tetrahedron as a position in `region_tags`; empty: one region.
   const std::vector<std::int64_t>& regions;
   const std::vector<RegionTag>& region_tags;
+  /// Tetrahedra to show in a layer of their own, and what they are called; none if the name is empty.
+  std::vector<Index> chosen{};
+  std::string chosen_name{};
 };
 
 /// One file that opens from disk in any browser, without a network: the verdict, every finding with a place

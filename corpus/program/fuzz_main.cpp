@@ -8,6 +8,7 @@
 #include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/shards.hpp"
 #include "corpus/campaign/tallies.hpp"
+#include "corpus/campaign_page.hpp"
 #include "corpus/checkers/checker.hpp"
 #include "corpus/fuzz_campaign.hpp"
 #include "corpus/program/check_and_read.hpp"
@@ -56,6 +57,11 @@ void report(const CampaignResult& result, const FuzzArguments& a, const program:
   }
   if (!common.json.empty()) program::write_text(common.json, json);
   if (!a.junit.empty()) program::write_text(a.junit, campaign_junit(result));
+  if (!a.html.empty())
+    write_campaign_pages(result, {.path = a.html,
+                                  .folders = a.merge.empty() ? std::vector<std::string>{a.out} : a.merge,
+                                  .write = program::write_text,
+                                  .say = [&](const std::string& line) { program::say(common, line); }});
   if (!files.standard_output_is_taken()) program::write_text("-", text);
 }
 
@@ -109,8 +115,8 @@ void check_usage(const FuzzArguments& a) {
       (a.shrink_s > 0 || !a.shard.empty() || !a.shards.empty() || !a.judge.check.empty() || a.repeats != 0))
     throw InputError("--merge runs nothing: leave --shrink, --shard, --check and --repeat out");
   if (a.shrink_s > 0 && a.out.empty()) throw InputError("--shrink needs --out DIR");
-  if (!a.replay.empty() && (!a.junit.empty() || a.shrink_s > 0 || !a.known.empty()))
-    throw InputError("--junit, --shrink and --known are not for --replay");
+  if (!a.replay.empty() && (!a.junit.empty() || !a.html.empty() || a.shrink_s > 0 || !a.known.empty()))
+    throw InputError("--junit, --html, --shrink and --known are not for --replay");
 }
 
 int work(const FuzzArguments& a, const program::Common& common) {
@@ -124,6 +130,7 @@ int work(const FuzzArguments& a, const program::Common& common) {
   program::FilesInUse files(common);
   if (!a.known.empty()) files.reads("--known", a.known);
   files.writes("--junit", a.junit);
+  files.writes("--html", a.html);
   if (others) return check_or_read(a, common, files);
   if (!a.replay.empty()) return replay(a, common);
   CampaignResult result;

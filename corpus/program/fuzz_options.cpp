@@ -68,6 +68,11 @@ void declare_results(CLI::App& app, FuzzArguments& a) {
                  "ids of groups that are known, one a line: they are counted, and are no failure")
       ->type_name("FILE")
       ->always_capture_default(false);
+  app.add_option("--html", a.html,
+                 "write the report as a page for any browser, and a page in the folder of each finding; - is "
+                 "standard output")
+      ->type_name("FILE.html")
+      ->always_capture_default(false);
   app.add_option("--junit", a.junit, "write the report as JUnit XML; - is standard output")
       ->type_name("FILE.xml")
       ->always_capture_default(false);

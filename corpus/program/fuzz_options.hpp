@@ -39,7 +39,7 @@ struct FuzzArguments {
   JudgeOptions judge;
   int repeats = 0;
   double shrink_s = 0;
-  std::string out, known, junit, replay;
+  std::string out, known, junit, html, replay;
   std::vector<std::string> merge;
   bool list_kinds = false, print_preset = false;
 };

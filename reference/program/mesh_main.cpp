@@ -20,6 +20,7 @@
 #include "io/program/report_losses.hpp"
 #include "io/surface/used_vertices.hpp"
 #include "reference/program/mesh_options.hpp"
+#include "reference/program/mesh_page.hpp"
 #include "reference/program/mesh_report.hpp"
 #include "reference/reduce.hpp"
 #include "verify/reports/report_json.hpp"
@@ -171,6 +172,7 @@ program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, cons
   files.writes_mesh("--save-surface", a.save_surface, {});
   files.writes("--trace", a.trace);
   files.writes("--figure", a.figure);
+  files.writes("--html", a.html);
   return files;
 }
 
@@ -198,7 +200,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   }
   if (a.surface.empty()) throw InputError("expected a SURFACE (see tetproof-mesh --help)");
   if (a.grid.empty() && a.options.follow.empty() && a.trace.empty() && a.figure.empty() &&
-      a.save_surface.empty())
+      a.save_surface.empty() && a.html.empty())
     throw InputError("expected -o GRID (see tetproof-mesh --help)");
   WriteOptions write;
   if (a.ascii || a.binary) write.binary = a.binary;
@@ -231,7 +233,14 @@ int mesh(const Arguments& a, const program::Common& common) {
   const reference::Plane plane = reference::parse_plane(a.plane, surface);
 
   TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
-  if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };
+  std::vector<double> e_avg;  // after each insertion, for the page
+  if (trace || !a.html.empty())
+    options.listener.record = [&](const trace::Record& record) {
+      if (trace) trace.write(record);
+      if (const auto* insertion = std::get_if<trace::Insertion>(&record)) e_avg.push_back(insertion->e_avg);
+      if (const auto* flip = std::get_if<trace::Flip>(&record); flip && !e_avg.empty())
+        e_avg.back() = flip->e_avg;
+    };
   const reference::Generation made = generate(surface, options);
   const bool empty = made.mesh().tets.empty();
   const int cells = *std::max_element(made.lattice.cells.begin(), made.lattice.cells.end());
@@ -260,6 +269,13 @@ int mesh(const Arguments& a, const program::Common& common) {
                       .unjudged = std::move(unjudged),
                       .timings = a.timings});
   enter("writing");
+  const std::string page = a.html.empty() ? ""
+                                          : reference::mesh_page(report, {.made = made,
+                                                                          .surface = surface,
+                                                                          .options = options,
+                                                                          .surface_name = a.surface,
+                                                                          .grid_name = a.grid,
+                                                                          .e_avg = std::move(e_avg)});
   const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);
   Json json = verify::report_json_object(report);
   add_generation(json, a.surface, judged, made);
@@ -268,6 +284,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   if (!a.grid.empty()) write_grid(made.mesh(), a, write, files, common, json);
   trace.commit();
   if (!a.figure.empty()) program::write_text(a.figure, figure);
+  if (!a.html.empty()) program::write_text(a.html, page);
   progress.end();
   const auto& seconds = watch.stop();
 

@@ -186,6 +186,12 @@ void declare_options(CLI::App& app, Arguments& a) {
   declare_adaptation(app, a);
   declare_figure(app, a);
   app.add_option(
+         "--html", a.html,
+         "write a page for any browser, without a network: the grid in three dimensions, what the judge "
+         "says of it, and how it was made; - is standard output")
+      ->type_name("FILE.html")
+      ->always_capture_default(false);
+  app.add_option(
          "--voxels", a.voxels,
          "voxels along the longest side for the second, independent measurement of the volume; 0: none")
       ->check(CLI::Range(0, 1024))

@@ -22,6 +22,7 @@ struct Arguments {
   int voxels = 128;
   int reduce = 0;  ///< triangles; 0: the surface as it is
   bool list_surfaces = false, timings = false, ascii = false, binary = false;
+  std::string html;          ///< a path; empty: no page
   std::string save_surface;  ///< a path; empty: the surface is not written
 };
 

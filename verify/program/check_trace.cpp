@@ -109,6 +109,19 @@ reference::Options options_of_trace(const std::string& path) {
   }
 }
 
+std::optional<TriangleSurface> surface_of_trace(const std::string& path, const std::string& surface_given) {
+  if (!surface_given.empty()) return corpus::open_surface_file(surface_given).surface;
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  trace::Reader reader(path);
+  while (const auto record = reader.next())
+    if (const auto* settings = std::get_if<trace::Settings>(&*record)) {
+      const std::string name = find_surface(settings->surface, path);
+      if (name.empty()) return std::nullopt;
+      return corpus::open_surface_file(name).surface;
+    }
+  return std::nullopt;
+}
+
 CheckedTrace check_trace(const std::string& path, const std::string& surface_given) {
   CheckedTrace checked;
   const auto cannot = [&](std::string why) {

@@ -2,8 +2,10 @@
 // Checks a trace by the reference's own method, for tetproof-compare. Not installed.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "io/triangle_surface.hpp"
 #include "reference/options.hpp"
 #include "verify/compare_traces.hpp"
 
@@ -14,6 +16,10 @@ namespace tetproof::verify {
 /// which is looked for where the program runs and then beside the trace. Throws InputError for a file that is
 /// no trace, or that breaks off.
 CheckedTrace check_trace(const std::string& path, const std::string& surface);
+
+/// The surface from which the trace was made, as `check_trace` finds it; none if it is not found, or if
+/// `path` is no file that can be read twice. Throws InputError for a surface that cannot be read.
+std::optional<TriangleSurface> surface_of_trace(const std::string& path, const std::string& surface);
 
 /// The options of the run that made the trace at `path`, with `follow` set to it. Throws InputError for a
 /// file that is no trace, and for one that asks for what no run can be asked for.

@@ -15,6 +15,7 @@
 #include "io/program/program.hpp"
 #include "io/program/report_losses.hpp"
 #include "verify/compare_grids.hpp"
+#include "verify/compare_page.hpp"
 #include "verify/compare_traces.hpp"
 #include "verify/program/check_trace.hpp"
 
@@ -31,7 +32,7 @@ constexpr const char* examples =
 
 struct Arguments {
   std::string other, reference;
-  std::string surface;
+  std::string surface, html;
   double tolerance = 1e-9;
 };
 
@@ -82,6 +83,7 @@ int work(const Arguments& arguments, const program::Common& common) {
   program::FilesInUse files(common);
   files.reads_mesh("OTHER", arguments.other);
   files.reads_mesh("REFERENCE", arguments.reference);
+  files.writes("--html", arguments.html);
   const std::optional<bool> other = is_trace(arguments.other), reference = is_trace(arguments.reference);
   const bool traces = reference.value_or(other.value_or(true));
   if (other.value_or(traces) != traces)
@@ -106,6 +108,12 @@ int work(const Arguments& arguments, const program::Common& common) {
                                });
     progress.end();
     report(result);
+    if (!arguments.html.empty()) {
+      const std::optional<TriangleSurface> surface = verify::surface_of_trace(arguments.reference, arguments.surface);
+      if (!surface)
+        program::say(common, "the page shows no surface: none was given, and the trace's is not found");
+      program::write_text(arguments.html, verify::comparison_page(result, surface ? &*surface : nullptr));
+    }
     using Verdict = verify::TraceComparison::Verdict;
     if (result.verdict == Verdict::diverges) return program::wrong;
     return result.verdict == Verdict::unresolved || !result.not_compared.empty() ? program::incomplete
@@ -120,6 +128,7 @@ int work(const Arguments& arguments, const program::Common& common) {
       verify::compare_grids(other_grid, reference_grid, arguments.tolerance);
   progress.end();
   report(result);
+  if (!arguments.html.empty()) program::write_text(arguments.html, verify::comparison_page(result));
   if (!result.equal()) return program::wrong;
   return result.complete() ? program::sound : program::incomplete;
 }
@@ -155,6 +164,12 @@ int main(int argc, char** argv) {
                "the surface of the two traces, to check them where they part; if not given, the one that "
                "each of them names")
             ->type_name("FILE")
+            ->always_capture_default(false);
+        app.add_option(
+               "--html", arguments->html,
+               "write a page for any browser: where they part, with both choices in three dimensions; - is "
+               "standard output")
+            ->type_name("FILE.html")
             ->always_capture_default(false);
         app.add_option(
                "--tolerance", arguments->tolerance,

@@ -8,6 +8,7 @@
 #include "io/page/picture.hpp"
 #include "io/page/plots.hpp"
 #include "verify/findings_text.hpp"
+#include "verify/reports/report_parts.hpp"
 #include "verify/reports/report_scene.hpp"
 #include "verify/reports/verdict.hpp"
 
@@ -168,7 +169,7 @@ void add_quality(io::Page& page, const Report& report) {
 
 }  // namespace
 
-std::string report_page(const Report& report, const PageSubject& subject) {
+io::Page report_page_parts(const Report& report, const PageSubject& subject) {
   const ReportScene scene = report_scene(report, subject);
   const std::string kind = sound(report) ? "pass" : defective(report) ? "fail" : "warning";
   io::Page page(subject.surface ? subject.mesh_name + " against " + subject.surface_name : subject.mesh_name,
@@ -185,7 +186,11 @@ std::string report_page(const Report& report, const PageSubject& subject) {
   add_shapes(page, report);
   add_surface(page, report, scene);
   add_quality(page, report);
-  return page.text();
+  return page;
+}
+
+std::string report_page(const Report& report, const PageSubject& subject) {
+  return report_page_parts(report, subject).text();
 }
 
 }  // namespace tetproof::verify

@@ -130,6 +130,12 @@ class Builder {
       for (std::uint32_t face = 0; face < 4; ++face)
         tets.faces.push_back(static_cast<std::uint32_t>(drawn_.tet(t)) << 2 | face);
     if (!named_.empty()) result_.scene.layers.push_back(std::move(tets));
+    io::SceneLayer chosen{.id = "chosen", .name = subject_.chosen_name, .colour = "#e9a23b", .shown = false};
+    for (const Index t : subject_.chosen)
+      if (drawn_.drawable(t))
+        for (std::uint32_t face = 0; face < 4; ++face)
+          chosen.faces.push_back(static_cast<std::uint32_t>(drawn_.tet(t)) << 2 | face);
+    if (!chosen.name.empty()) result_.scene.layers.push_back(std::move(chosen));
     io::SceneLayer faces{.id = "faces", .name = "faces that findings name", .colour = "#f08a24"};
     for_each_finding([&](const CheckResult&, const Finding& finding) {
       for (std::array<Index, 3> face : finding.faces) {
