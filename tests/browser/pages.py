@@ -185,6 +185,85 @@ class Tests:
         page.wait(lambda: "boundary" not in page.view("shown").split(), "the boundary is hidden")
         assert page.console() == []
 
+    def test_how_a_grid_was_made(self):
+        """The page of tetproof-mesh: plots, tables, plane cuts, and tetrahedra from small to large."""
+        self.run("tetproof-mesh", "sphere:r=1,n=400", "-o", "ball.msh", "--cells", 8, "--v0", 0.1, "--json", "page.json",
+                 "--html", "page.html", codes=(0, 1))
+        report = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        assert page.text("verdict") == report["verdict"]
+        for table, counts in (("table2", report["generation"]["cases"]), ("table3", report["generation"]["table3"]),
+                              ("table4", report["adaptation"]["rows"])):
+            assert [[row[0], int(row[1])] for row in page.rows(table)] == [[name, n] for name, n in counts.items()], table
+        cuts = page.driver.execute_script("return Array.from(document.querySelectorAll('figure svg title'), t => t.textContent)")
+        assert [title for title in cuts if title.startswith("cut across")] == ["cut across " + axis for axis in "xyz"], cuts
+        dots = page.driver.find_element(By.CSS_SELECTOR, "#volumes .dots").get_attribute("d").count("M")
+        assert dots == report["mesh"]["tets"], (dots, report["mesh"]["tets"])
+        curve = page.driver.find_element(By.CSS_SELECTOR, "#e-avg .curve").get_attribute("d").count("L")
+        assert curve == report["adaptation"]["insertions"], curve
+        page.click("show-boundary")
+        page.click("show-chosen")
+        page.wait(lambda: "chosen" in page.view("shown").split() and "boundary" not in page.view("shown").split(), "they are shown")
+        self.shot(page, "chosen")
+        assert page.console() == []
+
+    def test_where_two_traces_part(self):
+        trace = (ROOT / "corpus/vectors/traces/bumps.jsonl").read_text().splitlines(keepends=True)
+        at = [i for i, line in enumerate(trace) if json.loads(line)["record"] == "insertion"][3]
+        record = json.loads(trace[at])
+        record["point"][0] += 0.01
+        (self.folder / "other.jsonl").write_text("".join(trace[:at]) + json.dumps(record) + "\n" + "".join(trace[at + 1:]))
+        self.run("tetproof-compare", "other.jsonl", ROOT / "corpus/vectors/traces/bumps.jsonl", "--json", "page.json",
+                 "--html", "page.html", "--surface", ROOT / "corpus/vectors/traces/bumps.obj", codes=(1, 4))
+        result = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        rows = {row[0]: row[1:] for row in page.rows("record")}
+        assert rows["point"][2] == "differs" and rows["tet"][2] == "same", rows
+        assert float(rows["e_avg"][0]) == record["e_avg"]   # both choices, with their E'avg
+        assert [row[3] for row in page.rows("sides")] == [result["reference"]["says"], result["other"]["says"]]
+        targets = []
+        for button in page.driver.find_elements(By.CSS_SELECTOR, "#sides button"):
+            button.click()
+            page.wait(lambda: (page.view("selected") or "").startswith("target"), "the flight ends")
+            targets.append(page.view("target"))
+        assert len(set(targets)) == 2, targets
+        assert {"reference", "other", "surface"} <= set(page.view("shown").split())
+        self.shot(page, "traces")
+        assert page.console() == []
+
+    def test_what_only_one_grid_has(self):
+        for name, cells in (("a.msh", 6), ("b.msh", 7)):
+            self.run("tetproof-mesh", "sphere:r=1,n=200", "-o", name, "--cells", cells, "--points", 0, "--quiet", codes=(0, 1))
+        self.run("tetproof-compare", "a.msh", "b.msh", "--json", "page.json", "--html", "page.html", codes=(1,))
+        result = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        for side in ("reference", "other"):
+            rows = page.rows(side + "-only")
+            listed = [f"tetrahedron {t['number']}" for t in result[side]["first_tets"]] + [
+                f"point {p['number']}" for p in result[side]["first_points"]]
+            assert [row[0] for row in rows] == listed, rows
+        page.driver.find_element(By.CSS_SELECTOR, "#other-only button").click()
+        page.wait(lambda: (page.view("selected") or "").startswith("target"), "the flight ends")
+        assert page.console() == []
+
+    def test_a_campaign_and_its_findings(self):
+        self.run("tetproof-fuzz", "--cases", 12, "--seed", 5, "--out", "campaign", "--shrink", 2, "--html", "page.html", "--json", "page.json",
+                 "--quiet", "--", self.build / "tetproof-faulty-mesher", "duplicate-tet", "{surface}", "{mesh}", codes=(1,))
+        report = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        rows = page.rows("groups")
+        assert [row[:4] for row in rows] == [[g["mesher"], g["outcome"], g["signature"], str(len(g["cases"]))] for g in report["groups"]], rows
+        image = page.driver.find_element(By.CSS_SELECTOR, "#groups img")
+        assert page.driver.execute_script("return arguments[0].naturalWidth > 0", image)
+        self.shot(page, "campaign")
+        assert page.console() == []
+        page.driver.find_element(By.CSS_SELECTOR, "#groups a").click()
+        page.wait(lambda: page.view("ready") == "yes", "the finding's page is ready")
+        assert page.text("verdict") == "defective"
+        assert len(page.rows("findings")) > 0
+        self.shot(page, "finding")
+        assert page.console() == []
+
     def test_names_become_no_code(self):
         """Names of files, surfaces and groups that try to be markup and script are shown, and never run."""
         mesh = (ROOT / "corpus/bad-meshes/blocks-face-to-face.msh").read_text()
