@@ -14,8 +14,9 @@ namespace tetproof::reference {
 /// The command line's arguments. Empty `cells`: the default, raised where the grid would be empty.
 struct Arguments {
   std::string surface, grid, trace, cells, points = "auto", v0 = "0.2", v1 = "2", e_avg = "0";
-  std::string figure, plane = "x";
-  ReadOptions read;  ///< of the surface
+  std::string figure, view, title;  ///< empty: no figure; a plane's cut; a title from the surface's name
+  std::string plane;                ///< of the figure; empty: through the middle
+  ReadOptions read;                 ///< of the surface
   FigureColour colour = FigureColour::volume;
   Options options;
   AdaptOptions adapt;
