@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/figure/cut_open.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
@@ -45,9 +46,14 @@ CutOpen cut_open(const TetMesh& mesh, const Plane& plane) {
     return std::pair(a.first.tet, a.first.number) < std::pair(b.first.tet, b.first.number);
   });
   for (const auto& [face, is_cut] : seen) {
-    const auto& [a, b, c] = tet_faces[face.number];
     const auto& tet = mesh.tets[face.tet];
-    open.faces.push_back({face.tet, {tet[a], tet[b], tet[c]}, is_cut});
+    std::array<Index, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = tet[tet_faces[face.number][k]];
+    const auto& [a, b, c, d] = tet;
+    const Eigen::Vector3d& from = mesh.points[a];
+    if ((mesh.points[b] - from).cross(mesh.points[c] - from).dot(mesh.points[d] - from) < 0)
+      std::swap(corners[1], corners[2]);
+    open.faces.push_back({face.tet, corners, is_cut});
   }
   return open;
 }

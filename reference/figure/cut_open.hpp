@@ -11,9 +11,8 @@ namespace tetproof::reference {
 
 /// A face of one tetrahedron that is left.
 struct OpenFace {
-  Index tet;  ///< the tetrahedron that is left
-  std::array<Index, 3>
-      corners;  ///< positions in `points`; anticlockwise seen from outside a positive tetrahedron
+  Index tet;                     ///< the tetrahedron that is left
+  std::array<Index, 3> corners;  ///< positions in `points`, anticlockwise seen from outside the tetrahedron
   bool is_cut;  ///< another tetrahedron of the mesh has this face too, and is gone; otherwise it is the
                 ///< mesh's boundary
 };

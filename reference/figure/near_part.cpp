@@ -26,13 +26,13 @@ std::vector<std::vector<Eigen::Vector3d>> near_part_outline(const TriangleSurfac
     const auto& [a, b, c] = triangle;
     const Eigen::Vector3d &pa = surface.vertices[a], &pb = surface.vertices[b], &pc = surface.vertices[c];
     if (!((pb - pa).cross(pc - pa).dot(view) > 0)) continue;
+    if (sides[a] <= 0 && sides[b] <= 0 && sides[c] <= 0) continue;
     std::vector<Node> part;
     for (int i = 0; i < 3; ++i) {
       const Index p = triangle[i], q = triangle[(i + 1) % 3];
       if (sides[p] >= 0) part.emplace_back(p, p);
       if (sides[p] * sides[q] < 0) part.emplace_back(std::minmax(p, q));
     }
-    if (part.size() < 3) continue;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const Node &p = part[i], &q = part[(i + 1) % part.size()];
       if (p < q)

@@ -215,7 +215,8 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
       "surface</text>\n",
       body, hexadecimal(body_colour), edge_colour, body + 12);
   legend += fmt::format(
-      "<path d=\"M0 {}h26v16h-26z\" fill=\"{}\" fill-opacity=\"0.3\" stroke=\"{}\" stroke-width=\"1.2\"/>\n<text "
+      "<path d=\"M0 {}h26v16h-26z\" fill=\"{}\" fill-opacity=\"0.3\" stroke=\"{}\" "
+      "stroke-width=\"1.2\"/>\n<text "
       "x=\"32\" y=\"{}\">its part before the cut</text>\n",
       before, hexadecimal(body_colour), surface_line, before + 12);
   legend += axes_svg(viewer, axes);

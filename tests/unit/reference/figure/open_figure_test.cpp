@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of a grid that is cut open: what is drawn, where, in which colours, and as sound XML.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "corpus/surfaces.hpp"
+#include "io/error.hpp"
+#include "reference/figure/figure.hpp"
+#include "reference/generate.hpp"
+#include "tests/unit/reference/figure/sections.hpp"
+
+namespace tetproof::reference {
+namespace {
+
+using Eigen::Vector3d;
+using test::block;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Picture {
+  std::string title, texts;
+  int width = 0, height = 0, triangles = 0, layers = 0;
+  double area = 0;  // of the triangles, in square pixels, counted once for each that covers a place
+  std::set<std::string> fills;
+};
+
+Picture parse(const std::string& svg) {
+  std::istringstream stream(svg);
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_xml(stream, tree);  // throws if it is not well-formed
+  Picture picture;
+  const auto& root = tree.get_child("svg");
+  picture.title = root.get<std::string>("title");
+  picture.width = root.get<int>("<xmlattr>.width");
+  picture.height = root.get<int>("<xmlattr>.height");
+  for (const auto& [name, node] : root)
+    if (name == "text") picture.texts += node.data() + "\n";
+  for (const auto& [name, node] : root.get_child("g").get_child("g")) {
+    if (name != "path") continue;
+    ++picture.layers;
+    picture.fills.insert(node.get<std::string>("<xmlattr>.fill"));
+    std::istringstream data(node.get<std::string>("<xmlattr>.d"));
+    char move, line, end;
+    double x, y, x1, y1, x2, y2;
+    while (data >> move >> x >> y >> line >> x1 >> y1 >> x2 >> y2 >> end) {
+      EXPECT_EQ(std::string({move, line, end}), "mlz");
+      picture.area += std::abs(x1 * y2 - x2 * y1) / 2 / 25;
+      ++picture.triangles;
+    }
+    EXPECT_TRUE(data.eof());
+  }
+  return picture;
+}
+
+TEST(OpenFigure, ShowsTheBlocksThreeSidesOnce) {
+  // The half of a cube, seen along its diagonal: two halves of a side and one side, all in projection.
+  const TetMesh mesh = block(4);
+  const Vector3d view(1, 1, 1);
+  const Picture picture = parse(
+      figure(mesh, {}, {.plane = {Vector3d::UnitX(), 0.6}, .view = view, .title = "a <b> & \"c\" \x01\xFF"}));
+  EXPECT_EQ(picture.title, "a <b> & \"c\" ??");
+  EXPECT_EQ(picture.triangles, 2 * (16 + 8 + 8));
+  EXPECT_THAT(picture.texts,
+              HasSubstr("Cut open at x = 0.6: the 192 of 384 tetrahedra that are wholly behind it, "
+                        "seen from (1, 1, 1)"));
+  EXPECT_THAT(picture.texts, Not(HasSubstr("wrong order")));
+  // The longer side of the picture is upright, from (0.5, 1, 0) and (0, ...) up; it is 760 pixels.
+  const double high = std::sqrt(2.0 / 3) + 1.5 / std::sqrt(6.0), unit = 760 / high;
+  EXPECT_NEAR(picture.area, 2 / std::sqrt(3.0) * unit * unit, 0.01 * picture.area);
+}
+
+TEST(OpenFigure, OfGridsInsideAndOutside) {
+  const TriangleSurface surface = corpus::open_surface("torus:R=1,r=0.4,n=2000");
+  for (const Region region : {Region::inside, Region::outside}) {
+    const Generation made =
+        generate(surface, {.region = region, .cells = {13, 0, 0}, .adapt = AdaptOptions{}});
+    for (const char* text : {"3d", "0,0,1", "0,1,0", "-1,2,0.5", "1e-300,0,2e-300"})
+      for (const FigureColour colour : {FigureColour::volume, FigureColour::quality}) {
+        const Vector3d view = parse_view(text);
+        const FigureOptions options{
+            .plane = plane_for_view(view, surface), .view = view, .colour = colour, .title = text};
+        const std::string svg = figure(made.mesh(), surface, options);
+        EXPECT_EQ(svg, figure(made.mesh(), surface, options));
+        EXPECT_THAT(svg, Not(HasSubstr("nan")));
+        EXPECT_THAT(svg, Not(HasSubstr("inf")));
+        EXPECT_THAT(svg, HasSubstr("mask=\"url(#m"));  // the surface's part before the cut
+        const Picture picture = parse(svg);
+        EXPECT_LE(picture.width, 1000);
+        EXPECT_LE(picture.height, 900);
+        EXPECT_GT(picture.triangles, 200);
+        EXPECT_LT(picture.layers, picture.triangles / 5);
+        EXPECT_GT(picture.fills.size(), 8u);
+      }
+  }
+}
+
+TEST(OpenFigure, TheOtherWayRoundThePlaneIsTheSame) {
+  const TetMesh mesh = block(3);
+  const auto draw = [&](const Plane& plane) {
+    const std::string svg = figure(mesh, {}, {.plane = plane, .view = Vector3d(3, 1, 1), .title = "t"});
+    return svg.substr(0, svg.find("Cut open"));
+  };
+  EXPECT_EQ(draw({Vector3d::UnitX(), 0.5}), draw({-Vector3d::UnitX(), -0.5}));
+  EXPECT_NE(draw({Vector3d::UnitX(), 0.5}), draw({Vector3d::UnitX(), 0.7}));
+}
+
+TEST(OpenFigure, NothingBehindThePlaneIsRefused) {
+  try {
+    figure(block(2), {}, {.plane = {Vector3d::UnitX(), 0.4}, .view = Vector3d(1, 0, 0)});
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "behind the plane x = 0.4 there is no whole tetrahedron of the grid, which has 48");
+  }
+  EXPECT_THROW(figure({}, {}, {.view = Vector3d(1, 0, 0)}), InputError);
+}
+
+TEST(OpenFigure, ViewsAreRead) {
+  EXPECT_EQ(parse_view("3d"), Vector3d(1, -0.5, 0.45));
+  EXPECT_EQ(parse_view("0,-4,2"), Vector3d(0, -1, 0.5));
+  EXPECT_EQ(parse_view("1e300,-1e300,0"), Vector3d(1, -1, 0));
+  for (const char* bad : {"", "0,0,0", "0,-0,0", "nan,0,1", "inf,0,1", "1,2", "1,2,3,4", "1,,2", "1,2,", "x",
+                          "x,y,z", "top", "1;2;3", "3d,", "1e999,0,0"})
+    EXPECT_THROW(parse_view(bad), InputError) << bad;
+  TriangleSurface surface;
+  surface.vertices = {{1, -4, 0}, {3, 5, 7}};
+  EXPECT_EQ(plane_text(plane_for_view({1, -0.5, 0.45}, surface)), "x = 2");
+  EXPECT_EQ(plane_text(plane_for_view({1, -2, 0.45}, surface)), "y = 0.5");
+  EXPECT_EQ(plane_text(plane_for_view({1, -1, 1}, surface)), "x = 2");
+}
+
+}  // namespace
+}  // namespace tetproof::reference
