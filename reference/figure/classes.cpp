@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int legend_top = 20, field_height = 24, field_width = 26;
+constexpr int legend_top = 20, field_height = 19, field_width = 26;
 
 std::array<Vector3d, 4> corners(const TetMesh& mesh, Index t) {
   const auto& [a, b, c, d] = mesh.tets[t];

@@ -85,7 +85,7 @@ std::string plane_figure(const TetMesh& mesh, const TriangleSurface& surface, co
     if (const std::array<Pixel, 2> ends{view(segment[0]), view(segment[1])}; ends[0] != ends[1])
       outline.push_back(ends);
 
-  std::string drawing = fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", edge_colour, 0.3 * fineness);
+  std::string drawing = fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", edge_colour, 0.22 * fineness);
   // The classes of small values come last, so that their edges are drawn over those of large values.
   for (std::size_t i = fills.size(); i-- > 0;)
     if (!fills[i].empty())

@@ -132,8 +132,9 @@ std::string near_part_svg(const std::string& data) {
   for (const char c : data) name = (name ^ static_cast<unsigned char>(c)) * 16777619u;
   return fmt::format(
       "<mask id=\"m{0:08x}\" maskUnits=\"userSpaceOnUse\" x=\"-99\" y=\"-99\" width=\"{1}\" "
-      "height=\"{1}\">\n<path fill=\"#fff\" d=\"M-99-99h{1}v{1}h-{1}z\"/>\n<path d=\"{2}\"/>\n</mask>\n"
-      "<path fill=\"{3}\" fill-opacity=\"0.3\" d=\"{2}\"/>\n"
+      "height=\"{1}\">\n<path fill=\"#fff\" d=\"M-99-99h{1}v{1}h-{1}z\"/>\n<path fill=\"#000\" "
+      "d=\"{2}\"/>\n</mask>\n"
+      "<path fill=\"{3}\" fill-opacity=\"0.18\" d=\"{2}\"/>\n"
       "<path fill=\"none\" stroke=\"{4}\" stroke-width=\"{5}\" mask=\"url(#m{0:08x})\" d=\"{2}\"/>\n",
       name, fineness * drawing_side + 198, data, hexadecimal(body_colour), surface_line, 2 * 1.1 * fineness);
 }
@@ -183,7 +184,7 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
   for (const auto& line : part)
     for (const Vector3d& point : line) frame.hold(viewer(point));
 
-  std::string drawing = fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", edge_colour, 0.35 * fineness);
+  std::string drawing = fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", edge_colour, 0.28 * fineness);
   const PaintersOrder order = painters_order(seen);
   for (const auto& layer : order.layers) {
     PathData data;
@@ -215,7 +216,7 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
       "surface</text>\n",
       body, hexadecimal(body_colour), edge_colour, body + 12);
   legend += fmt::format(
-      "<path d=\"M0 {}h26v16h-26z\" fill=\"{}\" fill-opacity=\"0.3\" stroke=\"{}\" "
+      "<path d=\"M0 {}h26v16h-26z\" fill=\"{}\" fill-opacity=\"0.18\" stroke=\"{}\" "
       "stroke-width=\"1.2\"/>\n<text "
       "x=\"32\" y=\"{}\">its part before the cut</text>\n",
       before, hexadecimal(body_colour), surface_line, before + 12);

@@ -68,10 +68,15 @@ PathData chained(const std::vector<std::array<Pixel, 2>>& segments) {
 }
 
 std::string page(const Page& page) {
-  constexpr int margin = 20, header = 46, beside = 175, line = 17;
+  constexpr int margin = 20, header = 46, beside = 175, line = 17,
+                letter = 7;  // a letter's width, generously
   const int drawn = std::max(page.width, 400), lines = static_cast<int>(page.caption.size()),
-            width = margin + drawn + margin + beside,
-            height = header + std::max(page.height, page.legend_height) + 14 + line * lines + 6;
+            width = margin + drawn + margin + beside;
+  std::size_t longest = 0;
+  for (const std::string& text : page.caption) longest = std::max(longest, text.size());
+  const bool under_drawing = static_cast<int>(longest) * letter <= drawn;  // else under the legend, too
+  const int text_top = header + (under_drawing ? page.height : std::max(page.height, page.legend_height)) + 8,
+            height = std::max(text_top + line * lines, header + page.legend_height) + 12;
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\">\n"
@@ -83,7 +88,7 @@ std::string page(const Page& page) {
       page.drawing, margin + drawn + margin, page.legend);
   for (int i = 0; i < lines; ++i)
     svg += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"12\">{}</text>\n", margin,
-                       height - 10 - line * (lines - 1 - i), escaped(page.caption[i]));
+                       text_top + line * (i + 1), escaped(page.caption[i]));
   return svg + "</svg>\n";
 }
 

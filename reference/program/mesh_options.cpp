@@ -81,14 +81,16 @@ void declare_figure(CLI::App& app, Arguments& a) {
          "the figure's plane: x=0; x alone for the middle of the axis; a,b,c,d for ax + by + cz = d; if not "
          "given, x, or with --view the axis nearest to it")
       ->type_name("PLANE")
-      ->always_capture_default(false);
+      ->always_capture_default(false)
+      ->needs(figure);
   app.add_option("--title", a.title, "the figure's title; if not given, it names the surface")
       ->type_name("TEXT")
       ->always_capture_default(false)
       ->needs(figure);
   app.add_option("--colour", a.colour, "what the figure's colours show: volumes or the smallest solid angles")
       ->transform(CLI::CheckedTransformer(colours))
-      ->option_text("volume|quality [volume]");
+      ->option_text("volume|quality [volume]")
+      ->needs(figure);
 }
 
 // Parses "24" or "24,12,12".
