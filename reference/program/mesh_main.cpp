@@ -147,20 +147,6 @@ TriangleSurface used_part(TriangleSurface surface, SurfaceNumbering& numbering, 
   return std::move(*used);
 }
 
-// The figure's options. Throws InputError before the grid is made if the texts are wrong.
-reference::FigureOptions figure_options(const TriangleSurface& surface, const Arguments& a) {
-  reference::FigureOptions options{.colour = a.colour, .title = a.title};
-  if (!a.view.empty()) options.view = reference::parse_view(a.view);
-  options.plane = !a.plane.empty() ? reference::parse_plane(a.plane, surface)
-                  : options.view   ? reference::plane_for_view(*options.view, surface)
-                                   : reference::parse_plane("x", surface);
-  if (options.title.empty())
-    options.title = fmt::format("Unstructured grid {} {}",
-                                a.options.region == reference::Region::inside ? "inside" : "around",
-                                a.surface.substr(a.surface.find_last_of('/') + 1));
-  return options;
-}
-
 // Declares the run's files, and refuses outputs that could not be written after the work.
 program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, const program::Common& common) {
   program::FilesInUse files(common);
@@ -234,7 +220,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   }
   save_surface(surface, a, files, common);
   const verify::SurfaceReport& judged = judged_surface->report();
-  const reference::FigureOptions figure_asked = figure_options(surface, a);
+  const reference::FigureOptions figure_asked = figure_options(a, surface);
 
   TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
   if (trace) options.listener.record = [&](const trace::Record& record) { trace.write(record); };

@@ -229,4 +229,15 @@ Options generate_options(const Arguments& a) {
   return options;
 }
 
+FigureOptions figure_options(const Arguments& a, const TriangleSurface& surface) {
+  FigureOptions options{.colour = a.colour};
+  if (a.view) options.view = parse_view(*a.view);
+  options.plane = !a.plane && options.view ? plane_for_view(*options.view, surface)
+                                           : parse_plane(a.plane.value_or("x"), surface);
+  const std::string name = a.surface.substr(a.surface.find_last_of('/') + 1);
+  const char* const where = a.options.region == Region::inside ? "inside" : "around";
+  options.title = a.title.value_or(fmt::format("Unstructured grid {} {}", where, name));
+  return options;
+}
+
 }  // namespace tetproof::reference

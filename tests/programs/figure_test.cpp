@@ -37,6 +37,29 @@ TEST(FigureOption, WritesAPictureWithOrWithoutAGrid) {
   EXPECT_THAT(files.read("c.svg"), HasSubstr("smallest solid angle"));
 }
 
+TEST(FigureOption, ViewDrawsTheGridCutOpen) {
+  const ScratchFolder files;
+  const Outcome drawn = mesh({"--figure", files / "a.svg", "--view", "3d", "--title", "A <ball> & \"more\""});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn;
+  EXPECT_THAT(files.read("a.svg"), HasSubstr("<title>A &lt;ball&gt; &amp; \"more\"</title>"));
+  EXPECT_THAT(files.read("a.svg"), HasSubstr(">Cut open at x = 0: "));  // the axis nearest to the view
+  EXPECT_THAT(files.read("a.svg"), HasSubstr("seen from (1, -0.5, 0.45)"));
+  EXPECT_EQ(mesh({"--figure", files / "b.svg", "--view", "0,-2,1", "--threads", "1"}).exit_code, 0);
+  EXPECT_THAT(files.read("b.svg"), HasSubstr(">Cut open at y = 0: "));
+  EXPECT_EQ(mesh({"--figure", files / "c.svg", "--view", "0,-2,1", "--plane", "z=0.2"}).exit_code, 0);
+  EXPECT_THAT(files.read("c.svg"), HasSubstr(">Cut open at z = 0.2: "));
+}
+
+TEST(FigureOption, ANameThatIsNoXmlIsEscaped) {
+  const ScratchFolder files;
+  const std::string odd = files / "a&b<c>.obj";
+  EXPECT_EQ(mesh({"--save-surface", odd}).exit_code, 0);
+  const Outcome drawn = run_program({program("tetproof-mesh"), odd, "--cells", "5", "--points", "0",
+                                     "--figure", files / "a.svg", "--view", "1,0,0"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn;
+  EXPECT_THAT(files.read("a.svg"), HasSubstr("<title>Unstructured grid inside a&amp;b&lt;c&gt;.obj</title>"));
+}
+
 TEST(FigureOption, NothingIsWrittenAfterAMistake) {
   const ScratchFolder files;
   const auto refused = [&](const std::string& what, const std::vector<std::string>& more) {
@@ -52,6 +75,11 @@ TEST(FigureOption, NothingIsWrittenAfterAMistake) {
   refused("the plane x = 5 misses the grid", {"--figure", picture, "--plane", "x=5"});
   refused("--plane: expected an axis and a place", {"--figure", picture, "--plane", "w=5"});
   refused("--colour", {"--figure", picture, "--colour", "depth"});
+  for (const char* view : {"0,0,0", "nan,1,0", "1,2", "front", "1,2,x", ""})
+    refused("--view", {"--figure", picture, "--view", view});
+  refused("there is no whole tetrahedron", {"--figure", picture, "--view", "3d", "--plane", "x=-5"});
+  for (const char* option : {"--view", "--title", "--plane"}) refused("--figure", {option, "x"});
+  refused("--figure", {"--colour", "quality"});
   refused("missing/a.svg", {"--figure", files / "missing/a.svg"});
 }
 
