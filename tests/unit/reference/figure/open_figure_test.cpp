@@ -6,7 +6,7 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -29,6 +29,7 @@ struct Picture {
   std::string title, texts;
   int width = 0, height = 0, triangles = 0, layers = 0;
   double area = 0;  // of the triangles, in square pixels, counted once for each that covers a place
+  double body = 0;  // of those in the surface's colour
   std::set<std::string> fills;
 };
 
@@ -46,13 +47,20 @@ Picture parse(const std::string& svg) {
   for (const auto& [name, node] : root.get_child("g").get_child("g")) {
     if (name != "path") continue;
     ++picture.layers;
-    picture.fills.insert(node.get<std::string>("<xmlattr>.fill"));
+    const std::string fill = node.get<std::string>("<xmlattr>.fill");
+    picture.fills.insert(fill);
+    // The surface is orange in any light; no other colour has that little blue.
+    const bool is_body =
+        std::stoi(fill.substr(1, 2), nullptr, 16) - std::stoi(fill.substr(5), nullptr, 16) > 50;
     std::istringstream data(node.get<std::string>("<xmlattr>.d"));
     char move, line, end;
     double x, y, x1, y1, x2, y2;
     while (data >> move >> x >> y >> line >> x1 >> y1 >> x2 >> y2 >> end) {
       EXPECT_EQ(std::string({move, line, end}), "mlz");
-      picture.area += std::abs(x1 * y2 - x2 * y1) / 2 / 25;
+      // The second corner is relative to the first one, the third to the second.
+      const double area = std::abs(x1 * y2 - x2 * y1) / 2 / 25;
+      picture.area += area;
+      if (is_body) picture.body += area;
       ++picture.triangles;
     }
     EXPECT_TRUE(data.eof());
@@ -100,6 +108,30 @@ TEST(OpenFigure, OfGridsInsideAndOutside) {
         EXPECT_GT(picture.fills.size(), 8u);
       }
   }
+}
+
+TEST(OpenFigure, FacesOnTheSurfaceHaveAColourOfTheirOwn) {
+  const TriangleSurface surface = corpus::open_surface("sphere:r=1,n=2000");
+  const auto draw = [&](Region region, double x, const Vector3d& view = {1, 0, 0}) {
+    const Generation made =
+        generate(surface, {.region = region, .cells = {21, 0, 0}, .box_scale = 2, .adapt = std::nullopt});
+    return parse(figure(made.mesh(), surface, {.plane = {Vector3d::UnitX(), x}, .view = view, .title = "t"}));
+  };
+  // Seen along the plane's normal, the box's other half is a square of four by four units, 760 pixels wide,
+  // with a hollow: a disc as large as the sphere just behind the plane. A grid inside is all disc.
+  const double unit = 190;
+  const Picture outside = draw(Region::outside, 0);
+  EXPECT_NEAR(outside.area, 16 * unit * unit, 0.01 * outside.area);
+  EXPECT_NEAR(outside.body, 3.1416 * unit * unit, 0.05 * outside.body);
+  // From (1, 2, 2), the cut takes a third of its area and the box's sides two thirds of theirs, 16 in all. Of
+  // the hollow, half a disc and half a third of one face the viewer, and a third of a disc is missing in the
+  // cut.
+  const Picture oblique = draw(Region::outside, 0, {1, 2, 2});
+  const double body = 3.1416 * (1 + 1.0 / 3) / 2;
+  EXPECT_NEAR(oblique.body / oblique.area, body / (16 - 3.1416 / 3 + body), 0.01);
+  const Picture whole = draw(Region::inside, 9), half = draw(Region::inside, 0);
+  EXPECT_EQ(whole.body, whole.area);
+  EXPECT_EQ(half.body, 0) << "one looks at the cut";
 }
 
 TEST(OpenFigure, TheOtherWayRoundThePlaneIsTheSame) {
