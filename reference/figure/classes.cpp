@@ -18,13 +18,13 @@ using Eigen::Vector3d;
 
 constexpr int legend_top = 20, field_height = 19, field_width = 26;
 
-std::array<Vector3d, 4> corners(const TetMesh& mesh, Index t) {
+std::array<Vector3d, 4> corners(const TetMesh& mesh, Index t, double unit) {
   const auto& [a, b, c, d] = mesh.tets[t];
-  return {mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]};
+  return {mesh.points[a] / unit, mesh.points[b] / unit, mesh.points[c] / unit, mesh.points[d] / unit};
 }
 
-double volume_of(const TetMesh& mesh, Index t) {
-  const auto [a, b, c, d] = corners(mesh, t);
+double volume_of(const std::array<Vector3d, 4>& tet) {
+  const auto& [a, b, c, d] = tet;
   return std::abs(volume(a, b, c, d));
 }
 
@@ -106,13 +106,17 @@ int Classes::legend_height() const {
 }
 
 std::vector<double> shown_values(const TetMesh& mesh, const std::vector<Index>& tets, FigureColour what) {
+  const double unit = unit_of(mesh.points);
   double mean = 0;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) mean += volume_of(mesh, static_cast<Index>(t));
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    mean += volume_of(corners(mesh, static_cast<Index>(t), unit));
   mean /= static_cast<double>(mesh.tets.size());
   std::vector<double> values;
-  for (const Index t : tets)
-    values.push_back(what == FigureColour::volume ? volume_of(mesh, t) / mean
-                                                  : solid_angle_of(smallest_solid_angle(corners(mesh, t))));
+  for (const Index t : tets) {
+    const auto tet = corners(mesh, t, unit);
+    values.push_back(what == FigureColour::volume ? volume_of(tet) / mean
+                                                  : solid_angle_of(smallest_solid_angle(tet)));
+  }
   return values;
 }
 

@@ -19,12 +19,14 @@ using Node = std::pair<Index, Index>;
 std::vector<std::vector<Eigen::Vector3d>> near_part_outline(const TriangleSurface& surface,
                                                             const Plane& plane, const Eigen::Vector3d& view) {
   const PlaneSides sides(surface.vertices, plane);
+  const double unit = unit_of(surface.vertices);
   // How often each directed edge occurs more than its opposite: edges inside the part cancel. The border that
   // is left winds around each point as often as the triangles cover it.
   std::map<std::pair<Node, Node>, int> border;
   for (const auto& triangle : surface.triangles) {
     const auto& [a, b, c] = triangle;
-    const Eigen::Vector3d &pa = surface.vertices[a], &pb = surface.vertices[b], &pc = surface.vertices[c];
+    const Eigen::Vector3d pa = surface.vertices[a] / unit, pb = surface.vertices[b] / unit,
+                          pc = surface.vertices[c] / unit;
     if (!((pb - pa).cross(pc - pa).dot(view) > 0)) continue;
     if (sides[a] <= 0 && sides[b] <= 0 && sides[c] <= 0) continue;
     std::vector<Node> part;

@@ -30,16 +30,18 @@ using svg::Pixel;
 constexpr Colour body_colour{0xf3, 0xb5, 0x8b};
 constexpr int shades = 6;  // of each colour
 
-// Coordinates as the viewer sees them: to the right, up, and towards the viewer, in the mesh's unit.
+// Coordinates as the viewer sees them: to the right, up, and towards the viewer.
 class Viewer {
  public:
-  explicit Viewer(const Vector3d& direction) {
+  /// Divides all coordinates by `unit`.
+  Viewer(const Vector3d& direction, double unit) : unit_(unit) {
     const auto [right, up] = axes_seen_from(direction);
     axes_ << right.transpose(), up.transpose(), direction.stableNormalized().transpose();
   }
-  Vector3d operator()(const Vector3d& point) const { return axes_ * point; }
+  Vector3d operator()(const Vector3d& point) const { return axes_ * (point / unit_); }
 
  private:
+  double unit_;
   Eigen::Matrix3d axes_;
 };
 
@@ -108,10 +110,11 @@ class OuterBox {
 };
 
 // The axes as the viewer sees them, as lines of SVG around (40, top + 40).
-std::string axes_svg(const Viewer& viewer, int top) {
+std::string axes_svg(const Vector3d& view, int top) {
+  const Viewer directions(view, 1);
   std::string svg;
   for (int i = 0; i < 3; ++i) {
-    const Vector3d tip = viewer(Vector3d::Unit(i));
+    const Vector3d tip = directions(Vector3d::Unit(i));
     const auto at = [&](double length) {
       return Pixel{static_cast<int>(std::lround(40 + length * tip.x())),
                    static_cast<int>(std::lround(top + 40 - length * tip.y()))};
@@ -155,7 +158,7 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
                     plane_text(options.plane), mesh.tets.size()));
 
   // Only faces that are turned towards the viewer: another face of the grid is in front of each other one.
-  const Viewer viewer(*options.view);
+  const Viewer viewer(*options.view, unit_of(mesh.points));
   const OuterBox box(mesh, surface);
   Frame frame;
   std::vector<SeenTriangle> seen;
@@ -175,6 +178,9 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
     areas.push_back(is_body ? 0 : area);
     on_surface.push_back(is_body);
   }
+  if (seen.empty())
+    throw InputError(fmt::format("the {} tetrahedra behind the plane {} are too flat to be drawn",
+                                 open.tets.size(), plane_text(options.plane)));
   const std::vector<double> values = shown_values(mesh, tets, options.colour);
   const Classes classes = classes_for(values, areas, options.colour);
   for (std::size_t i = 0; i < seen.size(); ++i)
@@ -220,7 +226,7 @@ std::string open_figure(const TetMesh& mesh, const TriangleSurface& surface, con
       "stroke-width=\"1.2\"/>\n<text "
       "x=\"32\" y=\"{}\">its part before the cut</text>\n",
       before, hexadecimal(body_colour), surface_line, before + 12);
-  legend += axes_svg(viewer, axes);
+  legend += axes_svg(*options.view, axes);
   const Vector3d& from = *options.view;
   std::vector<std::string> caption{fmt::format(
       "Cut open at {}: the {} of {} tetrahedra that are wholly behind it, seen from ({:.6g}, {:.6g}, {:.6g})",

@@ -32,6 +32,15 @@ struct InPlane {
 
 }  // namespace
 
+double unit_of(const std::vector<Vector3d>& points) {
+  double largest = 0;
+  for (const Vector3d& point : points)
+    if (point.allFinite()) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return largest > 0 ? std::ldexp(1, std::clamp(exponent, -1000, 1000)) : 1;
+}
+
 PlaneSides::PlaneSides(const std::vector<Vector3d>& points, const Plane& plane)
     : points_(points), axis_(axis_of(plane)), offset_(plane.offset) {
   for (const Vector3d& point : points) {

@@ -25,6 +25,10 @@ Plane parse_plane(const std::string& text, const TriangleSurface& surface);
 /// The plane as text, such as "x = 0.5".
 std::string plane_text(const Plane& plane);
 
+/// A power of two that no coordinate exceeds, and not much larger than the largest one; 1 if all are 0 or
+/// none is finite. Figures divide by it, so that areas and volumes neither vanish nor overflow.
+double unit_of(const std::vector<Eigen::Vector3d>& points);
+
 /// On which side of a plane each point is: 1, -1, or 0 on it. The side is computed once for each point, so
 /// that all that share a point agree. `points` must outlive it.
 class PlaneSides {

@@ -144,6 +144,28 @@ TEST(OpenFigure, TheOtherWayRoundThePlaneIsTheSame) {
   EXPECT_NE(draw({Vector3d::UnitX(), 0.5}), draw({Vector3d::UnitX(), 0.7}));
 }
 
+TEST(OpenFigure, DoesNotDependOnTheScale) {
+  const TriangleSurface surface = corpus::open_surface("sphere:r=1,n=200");
+  const Generation made =
+      generate(surface, {.region = Region::outside, .cells = {7, 0, 0}, .adapt = AdaptOptions{}});
+  const auto draw = [&](double scale, const std::optional<Vector3d>& view, FigureColour colour) {
+    TetMesh mesh = made.mesh();
+    TriangleSurface scaled = surface;
+    for (Vector3d& p : mesh.points) p *= scale;
+    for (Vector3d& p : scaled.vertices) p *= scale;
+    const std::string svg =
+        figure(mesh, scaled, {.plane = {Vector3d::UnitX(), 0}, .view = view, .colour = colour, .title = "t"});
+    return svg;
+  };
+  for (const FigureColour colour : {FigureColour::volume, FigureColour::quality})
+    for (const double scale : {std::ldexp(1, -600), std::ldexp(1, 600)})
+      EXPECT_EQ(draw(scale, Vector3d(3, 1, 1), colour), draw(1, Vector3d(3, 1, 1), colour));
+  // Points in one plane have no face that one sees.
+  TetMesh flat = block(2);
+  for (Vector3d& p : flat.points) p.z() = 0;
+  EXPECT_THROW(figure(flat, {}, {.plane = {Vector3d::UnitX(), 2}, .view = Vector3d(1, 0, 0)}), InputError);
+}
+
 TEST(OpenFigure, NothingBehindThePlaneIsRefused) {
   try {
     figure(block(2), {}, {.plane = {Vector3d::UnitX(), 0.4}, .view = Vector3d(1, 0, 0)});
