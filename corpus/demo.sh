@@ -12,6 +12,7 @@ echo
 defaults=()
 [[ " $* " == *" --cells"* ]] || defaults+=(--cells 64)
 [[ " $* " == *" --plane"* ]] || defaults+=(--plane x=120)
+[[ " $* " == *" --view"* ]] || defaults+=(--view 3d)
 command=(build/tetproof-mesh corpus/surfaces/ct_skull.off -o out/ct_skull.msh "${defaults[@]}" --json out/ct_skull.json --figure out/ct_skull.svg "$@")
 echo "\$ ${command[*]}"
 "${command[@]}"
@@ -21,6 +22,6 @@ build/tetproof-convert out/ct_skull.msh out/ct_skull.vtu
 echo
 echo "Files in out/:"
 for file in ct_skull.msh:"the grid, for Gmsh" ct_skull.vtu:"the grid, for ParaView" ct_skull.json:"the report" \
-  ct_skull.svg:"a cut through the grid, in the style of the paper's figures (corpus/gallery.sh makes more)"; do
+  ct_skull.svg:"the grid cut open, after the paper's figures (corpus/gallery has more)"; do
   printf '  %-18s %8s  %s\n' "out/${file%%:*}" "$(du -h --apparent-size "out/${file%%:*}" | cut -f1)" "${file#*:}"
 done

@@ -22,41 +22,6 @@ int axis_of(const Plane& plane) {
   return -1;
 }
 
-// The side of the plane for each point. It is computed once for each point, so that all tetrahedra that share
-// a point agree.
-class Sides {
- public:
-  Sides(const std::vector<Vector3d>& points, const Plane& plane)
-      : points_(points),
-        axis_(axis_of(plane)),
-        offset_(plane.offset),
-        above_(points.size()),
-        side_(points.size()) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double along = axis_ >= 0 ? points[i][axis_] : plane.normal.dot(points[i]);
-      side_[i] = along > offset_ ? 1 : along < offset_ ? -1 : 0;
-      above_[i] = along - offset_;
-    }
-  }
-  int operator[](Index i) const { return side_[i]; }
-
-  // The point where the plane meets the edge between a point above it and a point below it.
-  Vector3d crossing(Index a, Index b) const {
-    if (a > b) std::swap(a, b);
-    const double t = above_[a] / (above_[a] - above_[b]);
-    Vector3d point = points_[a] + t * (points_[b] - points_[a]);
-    if (axis_ >= 0) point[axis_] = offset_;
-    return point;
-  }
-
- private:
-  const std::vector<Vector3d>& points_;
-  int axis_;
-  double offset_;
-  std::vector<double> above_;
-  std::vector<signed char> side_;
-};
-
 // A face that lies in the plane, with its tetrahedron.
 struct InPlane {
   std::array<Index, 3> face;
@@ -67,10 +32,36 @@ struct InPlane {
 
 }  // namespace
 
+double unit_of(const std::vector<Vector3d>& points) {
+  double largest = 0;
+  for (const Vector3d& point : points)
+    if (point.allFinite()) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return largest > 0 ? std::ldexp(1, std::clamp(exponent, -1000, 1000)) : 1;
+}
+
+PlaneSides::PlaneSides(const std::vector<Vector3d>& points, const Plane& plane)
+    : points_(points), axis_(axis_of(plane)), offset_(plane.offset) {
+  for (const Vector3d& point : points) {
+    const double along = axis_ >= 0 ? point[axis_] : plane.normal.dot(point);
+    side_.push_back(along > offset_ ? 1 : along < offset_ ? -1 : 0);
+    above_.push_back(along - offset_);
+  }
+}
+
+Vector3d PlaneSides::crossing(Index a, Index b) const {
+  if (a > b) std::swap(a, b);
+  const double t = above_[a] / (above_[a] - above_[b]);
+  Vector3d point = points_[a] + t * (points_[b] - points_[a]);
+  if (axis_ >= 0) point[axis_] = offset_;
+  return point;
+}
+
 PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& plane) {
   PlaneCut result;
   std::vector<InPlane> in_plane;
-  const Sides sides(mesh.points, plane);
+  const PlaneSides sides(mesh.points, plane);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     std::array<Index, 4> on, up, down;
     int ons = 0, ups = 0, downs = 0;
@@ -100,7 +91,7 @@ PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& p
         {tet, 3, {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]], Vector3d::Zero()}});
   }
 
-  const Sides surface_sides(surface.vertices, plane);
+  const PlaneSides surface_sides(surface.vertices, plane);
   for (const auto& triangle : surface.triangles) {
     std::array<Vector3d, 3> ends;
     int count = 0;
@@ -189,10 +180,14 @@ std::array<Vector3d, 2> picture_axes(const Plane& plane) {
     default:
       break;
   }
-  const Vector3d normal = plane.normal.stableNormalized();
-  const Vector3d upright = normal.head<2>().norm() > 1e-3 ? Vector3d::UnitZ() : Vector3d::UnitY();
-  const Vector3d up = (upright - upright.dot(normal) * normal).normalized();
-  return {up.cross(normal), up};
+  return axes_seen_from(plane.normal);
+}
+
+std::array<Vector3d, 2> axes_seen_from(const Vector3d& direction) {
+  const Vector3d towards = direction.stableNormalized();
+  const Vector3d upright = towards.head<2>().norm() > 1e-3 ? Vector3d::UnitZ() : Vector3d::UnitY();
+  const Vector3d up = (upright - upright.dot(towards) * towards).normalized();
+  return {up.cross(towards), up};
 }
 
 }  // namespace tetproof::reference

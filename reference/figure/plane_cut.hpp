@@ -25,6 +25,28 @@ Plane parse_plane(const std::string& text, const TriangleSurface& surface);
 /// The plane as text, such as "x = 0.5".
 std::string plane_text(const Plane& plane);
 
+/// A power of two that no coordinate exceeds, and not much larger than the largest one; 1 if all are 0 or
+/// none is finite. Figures divide by it, so that areas and volumes neither vanish nor overflow.
+double unit_of(const std::vector<Eigen::Vector3d>& points);
+
+/// On which side of a plane each point is: 1, -1, or 0 on it. The side is computed once for each point, so
+/// that all that share a point agree. `points` must outlive it.
+class PlaneSides {
+ public:
+  PlaneSides(const std::vector<Eigen::Vector3d>& points, const Plane& plane);
+  int operator[](Index i) const { return side_[i]; }
+  /// Where the plane meets the edge between a point above it and a point below it; the same point for both
+  /// directions of the edge.
+  Eigen::Vector3d crossing(Index a, Index b) const;
+
+ private:
+  const std::vector<Eigen::Vector3d>& points_;
+  int axis_;  // that equals the normal; -1: none
+  double offset_;
+  std::vector<double> above_;
+  std::vector<signed char> side_;
+};
+
 /// The polygon in which the plane cuts a tetrahedron. Its corners lie on the plane up to rounding; exactly,
 /// if the normal is an axis. Tetrahedra that share an edge have the same point on it, to the last bit.
 struct CutPolygon {
@@ -52,5 +74,8 @@ PlaneCut cut(const TetMesh& mesh, const TriangleSurface& surface, const Plane& p
 /// with y to the right; one normal to y is seen from -y, with x to the right; one normal to z is seen from
 /// +z, with x to the right.
 std::array<Eigen::Vector3d, 2> picture_axes(const Plane& plane);
+/// The same for a direction, of any length but 0, from which one looks: z is up, and y where one looks along
+/// z.
+std::array<Eigen::Vector3d, 2> axes_seen_from(const Eigen::Vector3d& direction);
 
 }  // namespace tetproof::reference

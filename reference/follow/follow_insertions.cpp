@@ -34,13 +34,16 @@ Candidate candidate_of(const Replay& replay, const trace::Insertion& theirs, con
     std::sort(ours.begin(), ours.end());
     if (ours != replaced) continue;
     const Candidate own = grid.candidate(tet);
-    const Eigen::Vector3d expected = own.moved && !grid.crosses_boundary(own) ? own.split.point : split.point;
+    const bool moves = own.moved && !grid.crosses_boundary(own);
+    const Eigen::Vector3d expected = moves ? own.split.point : split.point;
     if (!((theirs.point - expected).norm() <= replay.points.reach()))
       throw Divergence{
           fmt::format("{}row {} of Table 4 puts the point of the tetrahedron at {} at {}, not {}", name, row,
                       text(theirs.tet), text(expected), text(theirs.point))};
     split.point = theirs.point;
-    return grid.candidate(tet, split);
+    Candidate found = grid.candidate(tet, split);
+    found.moved = moves;
+    return found;
   }
   throw Divergence{
       fmt::format("{}row {} of Table 4 puts the point of the tetrahedron at {} at {}, on another edge or "

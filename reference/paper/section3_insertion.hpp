@@ -123,7 +123,6 @@ class Insertion : public Parametric {
       if (tet.split->moved && crosses_boundary(tet.v, *tet.split)) {  // reading D12
         tet.left = true;
         tet.split.reset();
-        ++left_;
         continue;
       }
       if (!adapt.past_dilution && is_diluted(tet.weight)) return end("dilution");
@@ -145,6 +144,7 @@ class Insertion : public Parametric {
     const int p = static_cast<int>(points_.size());
     points_.push_back(split.point);
     if (split.on_surface) surface_points_.insert(p);
+    left_ += split.on_surface && is_parametric() && !split.moved;
     remove(number);
     Numbers fresh;
     for (const int i : split.replaced) {

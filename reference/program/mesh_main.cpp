@@ -39,6 +39,7 @@ const char* const examples =
     "  tetproof-mesh ball.stl -o ball.msh --v0 0.1 --v1 1 --curvature --trace ball.jsonl\n"
     "  tetproof-mesh ball.stl --v0 0.1 --v1 1 --curvature --follow yours.jsonl\n"
     "  tetproof-mesh sphere:r=1 --region outside --figure sphere.svg --plane x=0\n"
+    "  tetproof-mesh skull.off --v0 0.05 --figure skull.svg --view 3d\n"
     "  zcat part.stl.gz | tetproof-mesh - -o part.msh\n"
     "  tetproof-mesh wing:naca=0012 -o wing.vtu --cells 200,40,40 --on-surface 0.1 --json wing.json\n";
 
@@ -147,15 +148,6 @@ TriangleSurface used_part(TriangleSurface surface, SurfaceNumbering& numbering, 
   return std::move(*used);
 }
 
-std::string figure_of(const TetMesh& mesh, const TriangleSurface& surface, const reference::Plane& plane,
-                      const Arguments& a) {
-  const std::string name = a.surface.substr(a.surface.find_last_of('/') + 1);
-  const char* const where = a.options.region == reference::Region::inside ? "inside" : "around";
-  return reference::figure(
-      mesh, surface,
-      {.plane = plane, .colour = a.colour, .title = fmt::format("Unstructured grid {} {}", where, name)});
-}
-
 // Declares the run's files, and refuses outputs that could not be written after the work.
 program::FilesInUse files_of(const Arguments& a, const WriteOptions& write, const program::Common& common) {
   program::FilesInUse files(common);
@@ -230,7 +222,7 @@ int mesh(const Arguments& a, const program::Common& common) {
   }
   save_surface(surface, a, files, common);
   const verify::SurfaceReport& judged = judged_surface->report();
-  const reference::Plane plane = reference::parse_plane(a.plane, surface);
+  const reference::FigureOptions figure_asked = figure_options(a, surface);
 
   TraceOutput trace(a.trace, a.surface, settings_of(options, static_cast<bool>(surface.evaluate)));
   std::vector<double> e_avg;  // after each insertion, for the page
@@ -272,11 +264,10 @@ int mesh(const Arguments& a, const program::Common& common) {
   const std::string page = a.html.empty() ? ""
                                           : reference::mesh_page(report, {.made = made,
                                                                           .surface = surface,
-                                                                          .options = options,
                                                                           .surface_name = a.surface,
                                                                           .grid_name = a.grid,
                                                                           .e_avg = std::move(e_avg)});
-  const std::string figure = a.figure.empty() ? "" : figure_of(made.mesh(), surface, plane, a);
+  const std::string figure = a.figure.empty() ? "" : reference::figure(made.mesh(), surface, figure_asked);
   Json json = verify::report_json_object(report);
   add_generation(json, a.surface, judged, made);
   if (a.reduce) json["generation"]["surface"]["reduced_from"] = triangles_read;

@@ -62,17 +62,35 @@ void declare_adaptation(CLI::App& app, Arguments& a) {
 void declare_figure(CLI::App& app, Arguments& a) {
   const std::map<std::string, FigureColour> colours{{"volume", FigureColour::volume},
                                                     {"quality", FigureColour::quality}};
-  app.add_option("--figure", a.figure,
-                 "draw the cut of a plane through the grid, as in the paper's figures 3 to 6; - is standard "
-                 "output")
-      ->type_name("FILE.svg")
-      ->always_capture_default(false);
-  app.add_option("--plane", a.plane,
-                 "the figure's plane: x=0; x alone for the middle of the axis; a,b,c,d for ax + by + cz = d")
-      ->type_name("PLANE");
+  CLI::Option* const figure =
+      app.add_option(
+             "--figure", a.figure,
+             "draw the grid as in the paper's figures 3 to 6: a plane's cut, or, with --view, the grid cut "
+             "open; - is standard output")
+          ->type_name("FILE.svg")
+          ->always_capture_default(false);
+  app.add_option(
+         "--view", a.view,
+         "draw the whole tetrahedra behind the plane, seen from the direction X,Y,Z or from 3d, a view of "
+         "three sides")
+      ->type_name("3d|X,Y,Z")
+      ->always_capture_default(false)
+      ->needs(figure);
+  app.add_option(
+         "--plane", a.plane,
+         "the figure's plane: x=0; x alone for the middle of the axis; a,b,c,d for ax + by + cz = d; if not "
+         "given, x, or with --view the axis nearest to it")
+      ->type_name("PLANE")
+      ->always_capture_default(false)
+      ->needs(figure);
+  app.add_option("--title", a.title, "the figure's title; if not given, it names the surface")
+      ->type_name("TEXT")
+      ->always_capture_default(false)
+      ->needs(figure);
   app.add_option("--colour", a.colour, "what the figure's colours show: volumes or the smallest solid angles")
       ->transform(CLI::CheckedTransformer(colours))
-      ->option_text("volume|quality [volume]");
+      ->option_text("volume|quality [volume]")
+      ->needs(figure);
 }
 
 // Parses "24" or "24,12,12".
@@ -214,6 +232,17 @@ Options generate_options(const Arguments& a) {
   adapt.e_avg = parse_volume("--e-avg", a.e_avg);
   check(adapt);
   if (adapt.points != 0) options.adapt = adapt;
+  return options;
+}
+
+FigureOptions figure_options(const Arguments& a, const TriangleSurface& surface) {
+  FigureOptions options{.colour = a.colour};
+  if (a.view) options.view = parse_view(*a.view);
+  options.plane = !a.plane && options.view ? plane_for_view(*options.view, surface)
+                                           : parse_plane(a.plane.value_or("x"), surface);
+  const std::string name = a.surface.substr(a.surface.find_last_of('/') + 1);
+  const char* const where = a.options.region == Region::inside ? "inside" : "around";
+  options.title = a.title.value_or(fmt::format("Unstructured grid {} {}", where, name));
   return options;
 }
 

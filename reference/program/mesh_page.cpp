@@ -17,7 +17,7 @@
 namespace tetproof::reference {
 namespace {
 
-constexpr std::size_t most_figure_bytes = 1'000'000, most_dots = 4000, chosen_tets = 60;
+constexpr std::size_t most_figure_bytes = 1'000'000, most_dots = 4000, chosen_tets = 60, most_drawn_tets = 200'000;
 
 std::array<Eigen::Vector3d, 4> corners_of(const TetMesh& mesh, std::size_t t) {
   std::array<Eigen::Vector3d, 4> corners;
@@ -82,26 +82,37 @@ void add_rows(io::Page& page, const char* id, const char* title, const Table& ta
   page.table(id, {"row", "times used"}, rows);
 }
 
-// The cut of a plane across each axis.
-void add_cuts(io::Page& page, const MeshPage& subject) {
-  page.part("plane-cuts", "Plane cuts, as in the paper's figures 3 to 6");
-  for (const char* const axis : {"x", "y", "z"}) {
-    std::string svg;
-    try {
-      const Plane plane = parse_plane(axis, subject.surface);
-      svg = figure(subject.made.mesh(), subject.surface,
-                   {.plane = plane, .title = "cut across " + std::string(axis)});
-    } catch (const InputError& error) {
-      page.paragraph(fmt::format("No cut across {}: {}", axis, error.what()));
-      continue;
-    }
-    if (svg.size() > most_figure_bytes)
-      page.paragraph(
-          fmt::format("The cut across {} has {:.1f} MB and is not in this page; --figure with --plane {} "
-                      "draws it.",
-                      axis, static_cast<double>(svg.size()) / 1e6, axis));
-    else
-      page.svg(svg);
+// A figure, unless it is too large for a page or cannot be drawn, which is said.
+void add_figure(io::Page& page, const MeshPage& subject, const FigureOptions& options, const std::string& command) {
+  std::string svg;
+  try {
+    svg = figure(subject.made.mesh(), subject.surface, options);
+  } catch (const InputError& error) {
+    page.paragraph(fmt::format("Not drawn: {}: {}", options.title, error.what()));
+    return;
+  }
+  if (svg.size() <= most_figure_bytes)
+    page.svg(svg);
+  else
+    page.paragraph(fmt::format("Not in this page, because it has {:.1f} MB: {}; {} draws it.",
+                               static_cast<double>(svg.size()) / 1e6, options.title, command));
+}
+
+// The grid cut open, and the cut of a plane across each axis.
+void add_figures(io::Page& page, const MeshPage& subject) {
+  page.part("figures", "Figures, as the paper's 3 to 6");
+  if (subject.made.mesh().tets.size() <= most_drawn_tets) {
+    const Eigen::Vector3d view = parse_view("3d");
+    add_figure(page, subject,
+               {.plane = plane_for_view(view, subject.surface), .view = view, .title = "The grid cut open"},
+               "--figure FILE.svg --view 3d");
+    for (const char* const axis : {"x", "y", "z"})
+      add_figure(page, subject,
+                 {.plane = parse_plane(axis, subject.surface), .title = fmt::format("Cut across {}", axis)},
+                 fmt::format("--figure FILE.svg --plane {}", axis));
+  } else {
+    page.paragraph(fmt::format("Grids of more than {} tetrahedra are not drawn here; --figure draws them.",
+                               most_drawn_tets));
   }
 }
 
@@ -143,7 +154,7 @@ std::string mesh_page(const verify::Report& report, const MeshPage& subject) {
         plot.curves[0].points.emplace_back(static_cast<double>(i + 1), subject.e_avg[i]);
       page.svg(io::plot_svg(plot));
     }
-    add_cuts(page, subject);
+    add_figures(page, subject);
   }
   add_rows(page, "table2", "Table 2: how tetrahedra of the lattice were cut", tables::table2,
            subject.made.grid.rows);

@@ -14,7 +14,6 @@ namespace tetproof::reference {
 struct MeshPage {
   const Generation& made;
   const TriangleSurface& surface;
-  const Options& options;
   std::string surface_name, grid_name;  ///< the second may be empty
   std::vector<double> e_avg;            ///< after each insertion and its flips, eq. (3.5) [length^3]
 };

@@ -74,8 +74,8 @@ std::string adaptation_text(const Adaptation& a) {
                         io::counted(a.refused, "splits"));
   if (a.left)
     text += fmt::format(
-        "  {} new points not moved to the parametric surface, because the boundary would cross itself "
-        "(D12)\n",
+        "  {} new points not moved to the parametric surface, because a tetrahedron would turn over or the "
+        "boundary cross itself (D12)\n",
         a.left);
   if (a.kappa_outlier_ratio > 10)
     text += fmt::format(

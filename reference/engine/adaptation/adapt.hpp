@@ -25,8 +25,8 @@ struct Adaptation {
   double kappa_outlier_ratio = 1;       ///< with curvature: kappa_max over the 99th percentile (reading D15)
   double e_avg_first = 0, e_avg_last = 0;  ///< E_avg of the first grid and of the last one [length^3]
   std::int64_t insertions = 0, refused = 0, flips = 0;
-  /// New points left where Table 4 puts them, because moving them to the parametric surface would make the
-  /// boundary meet itself (reading D12).
+  /// New points left where Table 4 puts them, because moving them to the parametric surface would make a
+  /// tetrahedron not positive or the boundary meet itself (reading D12).
   std::int64_t left = 0;
   std::array<std::int64_t, tables::table4.size()> rows{};  ///< insertions by each row of Table 4
   Stop stopped = Stop::no_gain;

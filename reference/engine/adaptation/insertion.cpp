@@ -104,7 +104,6 @@ Choice Insertion::choose() {
       ++result_.refused;
     } else if (grid_->crosses_boundary(*chosen)) {
       grid_->leave_point(chosen->tet);  // reading D12
-      ++result_.left;
     } else {
       break;
     }
@@ -127,6 +126,7 @@ std::vector<Index> Insertion::insert(const Candidate& chosen) {
   const auto corners = grid.corner_points(chosen.tet);
   const Index first = first_of_step_ = grid_->apply(chosen);  // Table 4
   ++result_.insertions;
+  result_.left += chosen.split.on_surface && grid_->is_parametric() && !chosen.moved;
   ++result_.rows[chosen.split.row];
   if (listener_.record) listener_.record(record_of(chosen, corners, result_.insertions, grid_->e_avg()));
 

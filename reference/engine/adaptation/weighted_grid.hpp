@@ -50,6 +50,7 @@ class WeightedGrid {
   std::optional<Candidate> best();
   /// Whether all pieces are exactly positive (reading D18).
   bool is_positive(const Candidate& c) const;
+  bool is_parametric() const { return static_cast<bool>(to_surface_); }
   /// Whether the candidate's point was moved and would make the boundary meet itself (reading D12).
   bool crosses_boundary(const Candidate& c) const;
   /// Says that the tetrahedron's new point must stay where Table 4 puts it. Its candidate is evaluated again.

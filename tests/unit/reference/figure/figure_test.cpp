@@ -73,15 +73,12 @@ Picture parse(const std::string& svg) {
   double scale = 0;
   const std::string transform = drawing.get<std::string>("<xmlattr>.transform");
   EXPECT_EQ(std::sscanf(transform.c_str(), "translate(%*d %*d) scale(%lf)", &scale), 1);
-  for (const auto& [name, node] : drawing) {
+  for (const auto& [name, node] : drawing)
+    if (name == "path") picture.outline = node.get<std::string>("<xmlattr>.d");
+  for (const auto& [name, node] : drawing.get_child("g")) {
     if (name != "path") continue;
-    const std::string data = node.get<std::string>("<xmlattr>.d");
-    if (node.get<std::string>("<xmlattr>.fill") == "none") {
-      picture.outline = data;
-    } else {
-      ++picture.paths;
-      picture.area += path_area(data, &picture.polygons) * scale * scale;
-    }
+    ++picture.paths;
+    picture.area += path_area(node.get<std::string>("<xmlattr>.d"), &picture.polygons) * scale * scale;
   }
   return picture;
 }

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "corpus/surfaces.hpp"
 #include "reference/generate.hpp"
@@ -127,6 +129,78 @@ TEST(Parametric, NewBoundaryPointsLieOnTheTrueSurface) {
     if (made.adaptation->on_surface[p]) ++(distance_to_torus(made.mesh().points[p]) < 1e-13 ? on : off);
   EXPECT_GT(on, 100);
   EXPECT_LT(off, on / 20) << "those that had to stay";
+  EXPECT_EQ(made.adaptation->left, off);
+}
+
+// Why a sphere's picture shows flat places: splits never divide an edge of the boundary that others share.
+TEST(Parametric, TheBoundarysEdgesStayChordsOfTheFirstGrid) {
+  const auto edges_on_sphere = [](const TetMesh& mesh) {
+    std::map<std::array<Index, 3>, int> faces;
+    for (const auto& tet : mesh.tets)
+      for (const auto& [i, j, k] : tet_faces) {
+        std::array face{tet[i], tet[j], tet[k]};
+        std::sort(face.begin(), face.end());
+        ++faces[face];
+      }
+    std::set<std::pair<Index, Index>> edges;
+    for (const auto& [face, tets] : faces)
+      if (tets == 1)
+        for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}})
+          if (mesh.points[face[i]].norm() < 1.1 && mesh.points[face[j]].norm() < 1.1)
+            edges.emplace(face[i], face[j]);
+    return edges;
+  };
+  for (const int cells : {9, 19}) {
+    const Options options{.region = Region::outside,
+                          .cells = {cells, 0, 0},
+                          .box_scale = 2,
+                          .adapt = AdaptOptions{.v0 = {0.1}, .v1 = {1}}};
+    const Generation made = generate(corpus::make_surface("sphere:r=1,n=2000"), options);
+    const auto first = edges_on_sphere(made.grid.mesh), last = edges_on_sphere(made.mesh());
+    EXPECT_GT(last.size(), first.size() * 11 / 10) << "faces of the boundary are divided";
+    std::size_t off_ends = 0;
+    double deepest = 0;
+    for (const auto& [i, j] : first) {
+      EXPECT_TRUE(last.contains({i, j}));
+      const Vector3d &a = made.mesh().points[i], &b = made.mesh().points[j];
+      if (distance_to_sphere(a) > 1e-13 || distance_to_sphere(b) > 1e-13) {
+        ++off_ends;
+        continue;
+      }
+      const double length = (b - a).norm(), depth = 1 - ((a + b) / 2).norm();
+      EXPECT_NEAR(depth, length * length / 8, length * length * length * length / 64);
+      deepest = std::max(deepest, depth);
+    }
+    EXPECT_LT(off_ends, first.size() / 20) << "edges at points that had to stay";
+    // No new point is deeper, and each that is not on the sphere is counted.
+    std::int64_t off = 0;
+    for (std::size_t p = made.grid.mesh.points.size(); p < made.mesh().points.size(); ++p) {
+      if (!made.adaptation->on_surface[p] || distance_to_sphere(made.mesh().points[p]) < 1e-13) continue;
+      EXPECT_LT(1 - made.mesh().points[p].norm(), 1.34 * deepest) << "a centroid of three chords";
+      ++off;
+    }
+    EXPECT_EQ(made.adaptation->left, off);
+    // A chord lies in a lattice tetrahedron, whose longest edge is sqrt(3) cells long.
+    const double cell = 4.0 / cells;
+    std::printf("%2d cells: chords are at most %.5f below the sphere\n", cells, deepest);
+    EXPECT_LT(deepest, 3 * cell * cell / 8);
+    EXPECT_GT(deepest, 1.5 * cell * cell / 8);
+  }
+}
+
+TEST(Parametric, BothEnginesCountThePointsThatHadToStay) {
+  for (const auto& [engine, name] : {std::pair(Engine::fast, "fast"), {Engine::paper, "paper"}}) {
+    const Generation made =
+        generate(corpus::make_surface("sphere:r=1,n=500"), {.engine = engine,
+                                                            .region = Region::outside,
+                                                            .cells = {5, 0, 0},
+                                                            .adapt = AdaptOptions{.v0 = {0.01}}});
+    std::int64_t off = 0;
+    for (std::size_t p = made.grid.mesh.points.size(); p < made.mesh().points.size(); ++p)
+      off += made.adaptation->on_surface[p] && distance_to_sphere(made.mesh().points[p]) > 1e-13;
+    EXPECT_EQ(off, 6) << name;
+    EXPECT_EQ(made.adaptation->left, 6) << name;
+  }
 }
 
 }  // namespace
