@@ -75,18 +75,16 @@ std::pair<std::string, std::string> finding_page_of(const ShrunkCase& shrunk, co
 
 void write_campaign_pages(const CampaignResult& result, const CampaignPages& pages) {
   const std::int64_t fresh = new_groups(result);
-  io::Page page("Fuzz campaign",
-                {.text = fresh > 0 ? fmt::format("{} new", fresh) : "nothing new", .kind = fresh > 0 ? "fail" : "pass"});
+  io::Page page("Fuzz campaign", {.text = fresh > 0 ? fmt::format("{} new", fresh) : "nothing new",
+                                  .kind = fresh > 0 ? "fail" : "pass"});
   page.paragraph(summary_line(result));
   for (const std::string& line : result.missing) page.paragraph("Missing: " + line);
   std::vector<PageRow> rows;
   for (const FailureGroup& group : result.groups) {
-    PageRow row{{.text = group.mesher},
-                {.text = name_of(group.outcome), .kind = group.known ? "warning" : "fail"},
-                {.text = group.signature},
-                number(static_cast<std::int64_t>(group.cases.size())),
-                number(group.surfaces),
-                number(group.cases.front().triangles)};
+    PageRow row{
+        {.text = group.mesher},    {.text = name_of(group.outcome), .kind = group.known ? "warning" : "fail"},
+        {.text = group.signature}, number(static_cast<std::int64_t>(group.cases.size())),
+        number(group.surfaces),    number(group.cases.front().triangles)};
     const ShrunkCase* shrunk = shrunk_of_group(result, group);
     if (shrunk) {
       std::string picture;
@@ -110,8 +108,7 @@ void write_campaign_pages(const CampaignResult& result, const CampaignPages& pag
                {"mesher", "outcome", "signature", "cases", "surfaces", "smallest [triangles]", "shrunk to",
                 "finding", "picture", ""},
                rows);
-  for (const std::string& id : result.known_unseen)
-    page.paragraph("Known, and did not occur: " + id);
+  for (const std::string& id : result.known_unseen) page.paragraph("Known, and did not occur: " + id);
   add_tally(page, "by-mesher", "By mesher", tally_by_mesher(result));
   add_tally(page, "by-kind", "By kind of surface", tally_by_kind(result));
   pages.write(pages.path, page.text());

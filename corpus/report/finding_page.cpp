@@ -38,8 +38,8 @@ io::Page page_of_mesh(const std::string& name, const std::string& path, const Tr
                           .region_tags = regions.tags,
                           .unjudged = verify::unjudged(document)};
   const verify::JudgedSurface judged(surface);
-  const verify::Report report = judged.report().fault.empty() ? verify::verify(mesh, judged, options)
-                                                              : verify::verify(mesh, options);
+  const verify::Report report =
+      judged.report().fault.empty() ? verify::verify(mesh, judged, options) : verify::verify(mesh, options);
   return verify::report_page_parts(report, {.mesh = mesh,
                                             .numbering = numbers,
                                             .mesh_name = name,
@@ -55,7 +55,8 @@ io::Page page_of_surface(const std::string& name, const TriangleSurface& surface
   scene.points = surface.vertices;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     scene.point_numbers.push_back(static_cast<std::int64_t>(v));
-  scene.layers.push_back({.id = "surface", .name = "the surface", .triangles = surface.triangles, .boundary = true});
+  scene.layers.push_back(
+      {.id = "surface", .name = "the surface", .triangles = surface.triangles, .boundary = true});
   page.view(scene, io::picture_svg(scene));
   return page;
 }
@@ -80,7 +81,8 @@ std::string finding_page(const std::string& folder) {
   page.part("finding", "The finding");
   page.lines(readme);
   if (const std::string picture = picture_address(folder); !picture.empty())
-    page.table("picture-of-the-defect", {"picture.svg"}, {{{.text = "surface and defect", .image = picture}}});
+    page.table("picture-of-the-defect", {"picture.svg"},
+               {{{.text = "surface and defect", .image = picture}}});
   return page.text();
 }
 

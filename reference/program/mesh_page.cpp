@@ -17,7 +17,8 @@
 namespace tetproof::reference {
 namespace {
 
-constexpr std::size_t most_figure_bytes = 1'000'000, most_dots = 4000, chosen_tets = 60, most_drawn_tets = 200'000;
+constexpr std::size_t most_figure_bytes = 1'000'000, most_dots = 4000, chosen_tets = 60,
+                      most_drawn_tets = 200'000;
 
 std::array<Eigen::Vector3d, 4> corners_of(const TetMesh& mesh, std::size_t t) {
   std::array<Eigen::Vector3d, 4> corners;
@@ -83,7 +84,8 @@ void add_rows(io::Page& page, const char* id, const char* title, const Table& ta
 }
 
 // A figure, unless it is too large for a page or cannot be drawn, which is said.
-void add_figure(io::Page& page, const MeshPage& subject, const FigureOptions& options, const std::string& command) {
+void add_figure(io::Page& page, const MeshPage& subject, const FigureOptions& options,
+                const std::string& command) {
   std::string svg;
   try {
     svg = figure(subject.made.mesh(), subject.surface, options);

@@ -31,13 +31,16 @@ inline void PrintTo(const Job& job, std::ostream* stream) {
 }
 
 inline const std::vector<Job> jobs{
-    {"tetproof-mesh", {"SURFACE", "-o", "OUT", "--cells", "6"}, true, {"--json", "--trace", "--figure"}},
-    {"tetproof-verify", {"MESH"}, false, {"--json", "--junit", "--defects"}},
+    {"tetproof-mesh",
+     {"SURFACE", "-o", "OUT", "--cells", "6"},
+     true,
+     {"--json", "--trace", "--figure", "--html"}},
+    {"tetproof-verify", {"MESH"}, false, {"--json", "--junit", "--defects", "--html"}},
     {"tetproof-verify",
      {"MESH", "SURFACE", "--fidelity", "0.2", "--voxels", "16"},
      false,
-     {"--json", "--junit", "--defects"}},
-    {"tetproof-compare", {"MESH", "MESH"}},
+     {"--json", "--junit", "--defects", "--html"}},
+    {"tetproof-compare", {"MESH", "MESH"}, false, {"--json", "--html"}},
     {"tetproof-convert", {"MESH", "OUT"}, true, {"--json", "--losses"}},
 };
 

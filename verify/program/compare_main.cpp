@@ -109,7 +109,8 @@ int work(const Arguments& arguments, const program::Common& common) {
     progress.end();
     report(result);
     if (!arguments.html.empty()) {
-      const std::optional<TriangleSurface> surface = verify::surface_of_trace(arguments.reference, arguments.surface);
+      const std::optional<TriangleSurface> surface =
+          verify::surface_of_trace(arguments.reference, arguments.surface);
       if (!surface)
         program::say(common, "the page shows no surface: none was given, and the trace's is not found");
       program::write_text(arguments.html, verify::comparison_page(result, surface ? &*surface : nullptr));
