@@ -13,7 +13,8 @@ namespace tetproof::c {
 namespace {
 
 constexpr std::int64_t most_items = std::numeric_limits<Index>::max();
-constexpr std::int64_t most_base = std::int64_t{1} << 62;  // a position added to it is still a number
+constexpr std::int64_t most_address = std::int64_t{1} << 57;  // no processor gives a process more
+constexpr std::int64_t most_base = std::int64_t{1} << 62;     // a position added to it is still a number
 
 // Where the items of an array stand, in bytes.
 struct Layout {
@@ -46,9 +47,8 @@ Layout layout_of(const void* data, std::int64_t count, std::int64_t stride, std:
                                                 std::max<std::int64_t>(components_end, 0), &high) ||
                          __builtin_add_overflow(high, bytes, &high);
   const auto start = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(data));
-  std::int64_t address = 0;
-  if (overflows || (count > 0 && (__builtin_add_overflow(start, low, &address) || address < 0 ||
-                                  __builtin_add_overflow(start, high, &address))))
+  if (count > 0 &&
+      (overflows || start < 0 || start > most_address || low < -start || high > most_address - start))
     refuse_argument(fmt::format("{}: {} items with strides {} and {} lie outside of all addresses", name,
                                 count, stride, component_stride));
   return {static_cast<const char*>(data), stride, component_stride};

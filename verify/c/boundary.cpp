@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/c/boundary.hpp"
 
+#include <tbb/global_control.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -63,6 +66,11 @@ tetproof_status report_exception(tetproof_error* error) noexcept {
   } catch (...) {
     return report_error(error, TETPROOF_INTERNAL, "internal error, please report it with the input");
   }
+}
+
+int concurrency(std::int32_t threads) {
+  const std::size_t all = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<int>(threads > 0 ? std::min(all, static_cast<std::size_t>(threads)) : all);
 }
 
 char* text_for_caller(const std::string& text) {

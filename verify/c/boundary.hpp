@@ -66,11 +66,15 @@ tetproof_status guarded(tetproof_error* error, const Work& work) noexcept {
   return report_error(error, TETPROOF_OK, "");
 }
 
-/// Does work that may run on several threads; 0: on all processors. Its arena takes its threads' environment
+/// The number of threads for work; `threads` 0: all. oneTBB has no more than it has anyway, and prints a
+/// warning if it is asked for more.
+int concurrency(std::int32_t threads);
+
+/// Does work that may run on so many threads; 0: on all processors. Its arena takes its threads' environment
 /// from this thread, and keeps the work apart from what else the caller does with oneTBB.
 template <class Work>
 void on_threads(std::int32_t threads, const Work& work) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  tbb::task_arena arena(concurrency(threads));
   arena.execute(work);
 }
 

@@ -178,7 +178,7 @@ typedef struct tetproof_judge_options {
   int32_t voxels;  /* along the longest side, for the second account of volume: 0 (none) to 1024 [128] */
   double fidelity; /* allowed distance [diagonals of the surface's box]; 0: exactly [1e-3] */
   double deadline; /* seconds after which the call gives up with OUT_OF_TIME; 0: none [0] */
-  int32_t threads; /* 0: all processors; up to 4096 [0] */
+  int32_t threads; /* at most so many, 1 to 4096; 0: all processors [0] */
   int32_t strict_topology; /* topology, cavities and non-manifold places fail instead of warn [0] */
   int32_t coarse;          /* for a mesh made from a lattice with cells as wide as the allowed distance: parts
                               thinner than a cell only warn, and distances are only compared [0] */
@@ -389,7 +389,7 @@ TETPROOF_API tetproof_status tetproof_document_read(const char* path, const char
                                                     tetproof_document** document, tetproof_error* error);
 
 /* Reads a file that is in memory, `size` bytes. It has no name, so that its content decides the format, or
- * `format`; files of TetGen need it ("tetgen"). They are not complete: nothing stands beside them. */
+ * `format`. BAD_INPUT: likewise, and for a mesh of TetGen, which is several files. */
 TETPROOF_API tetproof_status tetproof_document_read_memory(const void* bytes, size_t size, const char* format,
                                                            tetproof_document** document,
                                                            tetproof_error* error);
@@ -503,7 +503,7 @@ typedef struct tetproof_mesh_options {
   int32_t diagonals; /* TETPROOF_DIAGONALS_... */
   int32_t literal;   /* as printed in the paper [0] */
   int32_t parametric; /* follow the surface's parametric definition if it has one [1] */
-  int32_t threads;    /* 0: all processors; up to 4096 [0] */
+  int32_t threads;    /* at most so many, 1 to 4096; 0: all processors [0] */
   int64_t points; /* the largest number of points to insert; 0: the first grid; TETPROOF_POINTS_AUTO [auto] */
   double v0, v1;  /* eq. (3.1): volumes at distance 0 and d1, in mean volumes of the first grid [0.2, 2] */
   double e_avg;   /* stop when the mean error is not larger than this, in the unit of v0; 0: never [0] */
