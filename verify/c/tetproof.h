@@ -8,9 +8,10 @@
  * or thread-local state, nothing to free, and out-of-memory can be reported without memory. Its message is
  * one line. After a failure all results are null, and nothing was written.
  *
- * The library never exits, prints nothing, and lets no exception out. There are two limits. GMP, which it
- * uses for exact numbers, aborts the process when it gets no memory. And the caller must own the memory that
- * it describes: a wrong pointer, or a count beyond the array's end, cannot be seen from here.
+ * The library never exits, prints nothing, and lets no exception out. There are two limits. Two libraries
+ * that it uses abort the process when they get no memory: GMP, for exact numbers, and nlohmann's JSON, for
+ * the functions that return JSON; both need little. And the caller must own the memory that it describes: a
+ * wrong pointer, or a count beyond the array's end, cannot be seen from here.
  *
  * Threads. Every function may be called from any number of threads at once, also with the same objects, as
  * long as none of them frees or changes (tetproof_document_name_group) an object that others use. Inside, a
