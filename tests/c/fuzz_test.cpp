@@ -155,7 +155,7 @@ tetproof_mesh_options damaged_mesh_options(Fuzz& fuzz) {
 
 void expect_each(const std::array<int, 8>& seen, std::initializer_list<tetproof_status> statuses) {
   for (const tetproof_status status : statuses)
-    EXPECT_GT(seen[static_cast<std::size_t>(status)], 20) << tetproof_status_name(status);
+    EXPECT_GT(seen[static_cast<std::size_t>(status)], 10) << tetproof_status_name(status);
 }
 
 template <class Work>
