@@ -158,115 +158,100 @@ void expect_each(const std::array<int, 8>& seen, std::initializer_list<tetproof_
     EXPECT_GT(seen[static_cast<std::size_t>(status)], 10) << tetproof_status_name(status);
 }
 
-template <class Work>
-void without_output(const Work& work) {
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  work();
-  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
-}
-
 TEST(CFuzz, JudgesDamagedArrays) {
   std::array<int, 8> seen{};
-  without_output([&] {
-    const Surface ball = opened("octahedron");
-    for (unsigned seed = 0; seed < 1000; ++seed) {
-      SCOPED_TRACE(seed);
-      Fuzz fuzz(seed);
-      const DamagedArrays arrays(fuzz);
-      std::string texts[4];
-      const tetproof_judge_options options = damaged_judge_options(fuzz, texts);
-      const Report report = expect_sane<tetproof_report>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_judge(fuzz.given(&arrays.points), fuzz.given(&arrays.tets),
-                              fuzz.rarely() ? &arrays.groups : nullptr, fuzz.rarely() ? ball.get() : nullptr,
-                              fuzz.rarely() ? &options : nullptr, out, error);
-      });
-      if (!report) continue;
-      EXPECT_EQ(json_of(report)[0], '{');
-      EXPECT_NE(tetproof_report_records(report.get())->check_count, 0);
-      expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
-        return tetproof_report_junit(report.get(), fuzz.text("mesh").c_str(), out, error);
-      });
-    }
-  });
+  const Surface ball = opened("octahedron");
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE(seed);
+    Fuzz fuzz(seed);
+    const DamagedArrays arrays(fuzz);
+    std::string texts[4];
+    const tetproof_judge_options options = damaged_judge_options(fuzz, texts);
+    const Report report = expect_sane<tetproof_report>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_judge(fuzz.given(&arrays.points), fuzz.given(&arrays.tets),
+                            fuzz.rarely() ? &arrays.groups : nullptr, fuzz.rarely() ? ball.get() : nullptr,
+                            fuzz.rarely() ? &options : nullptr, out, error);
+    });
+    if (!report) continue;
+    EXPECT_EQ(json_of(report)[0], '{');
+    EXPECT_NE(tetproof_report_records(report.get())->check_count, 0);
+    expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
+      return tetproof_report_junit(report.get(), fuzz.text("mesh").c_str(), out, error);
+    });
+  }
   expect_each(seen, {TETPROOF_OK, TETPROOF_BAD_ARGUMENT, TETPROOF_TOO_LARGE});
 }
 
 TEST(CFuzz, MakesDocumentsAndSurfacesOfDamagedArrays) {
   std::array<int, 8> seen{};
-  without_output([&] {
-    for (unsigned seed = 0; seed < 1500; ++seed) {
-      SCOPED_TRACE(seed);
-      Fuzz fuzz(seed);
-      const DamagedArrays arrays(fuzz), others(fuzz);
-      tetproof_integers triangles = others.tets;
-      triangles.base = fuzz.rarely() ? triangles.base : arrays.tets.base;
-      const FileDocument document = expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_document_from_arrays(
-            fuzz.given(&arrays.points), fuzz.given(&arrays.tets), fuzz.rarely() ? &arrays.groups : nullptr,
-            fuzz.rarely() ? &triangles : nullptr, fuzz.rarely() ? &others.groups : nullptr, out, error);
-      });
-      Surface surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_surface_from_arrays(fuzz.given(&arrays.points), fuzz.given(&triangles), out, error);
-      });
-      if (document) {
-        const std::string name = fuzz.text("steel");
-        expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
-          tetproof_document_name_group(document.get(), fuzz.below(6) - 1, fuzz.below(4), name.c_str(),
-                                       nullptr);
-          return tetproof_document_json(document.get(), out, error);
-        });
-        tetproof_write_options options{fuzz.size(sizeof options), nullptr, fuzz.below(4) - 1,
-                                       fuzz.below(5) - 1};
-        const std::string format = fuzz.text("msh22");
-        if (fuzz.rarely()) options.format = format.c_str();
-        expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
-          return tetproof_document_losses(document.get(), fuzz.text("a.vtu").c_str(), &options, out, error);
-        });
-        const tetproof_document_arrays* view = nullptr;
-        EXPECT_EQ(tetproof_document_view(document.get(), &view, nullptr), TETPROOF_OK);
-        expect_sane<tetproof_report>(fuzz, seen, [&](auto** out, auto* error) {
-          return tetproof_judge_document(document.get(), nullptr, nullptr, out, error);
-        });
-        if (!surface)
-          surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
-            return tetproof_surface_from_document(document.get(), out, error);
-          });
-      }
-      if (!surface) continue;
+  for (unsigned seed = 0; seed < 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    Fuzz fuzz(seed);
+    const DamagedArrays arrays(fuzz), others(fuzz);
+    tetproof_integers triangles = others.tets;
+    triangles.base = fuzz.rarely() ? triangles.base : arrays.tets.base;
+    const FileDocument document = expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_document_from_arrays(
+          fuzz.given(&arrays.points), fuzz.given(&arrays.tets), fuzz.rarely() ? &arrays.groups : nullptr,
+          fuzz.rarely() ? &triangles : nullptr, fuzz.rarely() ? &others.groups : nullptr, out, error);
+    });
+    Surface surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_surface_from_arrays(fuzz.given(&arrays.points), fuzz.given(&triangles), out, error);
+    });
+    if (document) {
+      const std::string name = fuzz.text("steel");
       expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
-        return tetproof_surface_fault(surface.get(), out, error);
+        tetproof_document_name_group(document.get(), fuzz.below(6) - 1, fuzz.below(4), name.c_str(), nullptr);
+        return tetproof_document_json(document.get(), out, error);
       });
+      tetproof_write_options options{fuzz.size(sizeof options), nullptr, fuzz.below(4) - 1,
+                                     fuzz.below(5) - 1};
+      const std::string format = fuzz.text("msh22");
+      if (fuzz.rarely()) options.format = format.c_str();
+      expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
+        return tetproof_document_losses(document.get(), fuzz.text("a.vtu").c_str(), &options, out, error);
+      });
+      const tetproof_document_arrays* view = nullptr;
+      EXPECT_EQ(tetproof_document_view(document.get(), &view, nullptr), TETPROOF_OK);
+      expect_sane<tetproof_report>(fuzz, seen, [&](auto** out, auto* error) {
+        return tetproof_judge_document(document.get(), nullptr, nullptr, out, error);
+      });
+      if (!surface)
+        surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
+          return tetproof_surface_from_document(document.get(), out, error);
+        });
     }
-  });
+    if (!surface) continue;
+    expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
+      return tetproof_surface_fault(surface.get(), out, error);
+    });
+  }
   expect_each(seen, {TETPROOF_OK, TETPROOF_BAD_ARGUMENT, TETPROOF_BAD_INPUT, TETPROOF_TOO_LARGE});
 }
 
 TEST(CFuzz, ReadsAndMeshesWithDamagedArguments) {
   std::array<int, 8> seen{};
-  without_output([&] {
-    const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-    for (unsigned seed = 0; seed < 400; ++seed) {
-      SCOPED_TRACE(seed);
-      Fuzz fuzz(seed);
-      const std::string bytes = fuzz.text(off), format = fuzz.text("off"), spec = fuzz.text("octahedron");
-      const FileDocument document = expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_document_read_memory(fuzz.given(bytes.data()), bytes.size(),
-                                             fuzz.rarely() ? format.c_str() : nullptr, out, error);
-      });
-      expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_document_read(fuzz.given(bytes.c_str()), format.c_str(), out, error);
-      });
-      const Surface surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
-        return document ? tetproof_surface_from_document(fuzz.given(document.get()), out, error)
-                        : tetproof_surface_open(fuzz.given(spec.c_str()), nullptr, out, error);
-      });
-      const tetproof_mesh_options options = damaged_mesh_options(fuzz);
-      expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
-        return tetproof_mesh(surface.get(), fuzz.given(&options), out, error);
-      });
-    }
-  });
+  const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    Fuzz fuzz(seed);
+    const std::string bytes = fuzz.text(off), format = fuzz.text("off"), spec = fuzz.text("octahedron");
+    const FileDocument document = expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_document_read_memory(fuzz.given(bytes.data()), bytes.size(),
+                                           fuzz.rarely() ? format.c_str() : nullptr, out, error);
+    });
+    expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_document_read(fuzz.given(bytes.c_str()), format.c_str(), out, error);
+    });
+    const Surface surface = expect_sane<tetproof_surface>(fuzz, seen, [&](auto** out, auto* error) {
+      return document ? tetproof_surface_from_document(fuzz.given(document.get()), out, error)
+                      : tetproof_surface_open(fuzz.given(spec.c_str()), nullptr, out, error);
+    });
+    const tetproof_mesh_options options = damaged_mesh_options(fuzz);
+    expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_mesh(surface.get(), fuzz.given(&options), out, error);
+    });
+  }
   expect_each(seen, {TETPROOF_OK, TETPROOF_BAD_ARGUMENT, TETPROOF_BAD_INPUT});
 }
 

@@ -164,6 +164,11 @@ TEST(CProgram, PrintsNothing) {
   const Outcome header = run_program({C_HEADER_PROGRAM});
   EXPECT_EQ(header.exit_code, 0) << "the line of tests/c/header.c, modulo 256: " << header;
   EXPECT_EQ(header.out + header.err, "");
+  const Outcome fuzz =
+      run_program({C_FUZZ_PROGRAM, "--gtest_brief=1", "--gtest_filter=CFuzz.Reads*:CFuzz.Makes*"});
+  EXPECT_EQ(fuzz.exit_code, 0) << fuzz;
+  EXPECT_EQ(fuzz.err, "");
+  EXPECT_LE(lines(fuzz.out), 5u) << fuzz;  // GoogleTest's own
 }
 
 TEST(CProgram, RunsTheExampleOfTheReadme) {

@@ -57,7 +57,8 @@ Document document_of_arrays(const DocumentArrays& arrays) {
   if (arrays.tet_groups && !arrays.tets) refuse_argument("tet_groups are given without tets");
   if (arrays.triangle_groups && !arrays.triangles)
     refuse_argument("triangle_groups are given without triangles");
-  if (both && arrays.tets->count > std::numeric_limits<Index>::max() - arrays.triangles->count)
+  if (both && arrays.tets->count > 0 && arrays.triangles->count > 0 &&
+      arrays.tets->count > std::numeric_limits<Index>::max() - arrays.triangles->count)
     throw Refused(TETPROOF_TOO_LARGE,
                   fmt::format("{} tetrahedra and {} triangles, at most 2147483647 elements can be numbered",
                               arrays.tets->count, arrays.triangles->count));

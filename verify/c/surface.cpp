@@ -119,5 +119,8 @@ tetproof_status tetproof_surface_json(const tetproof_surface* surface, char** js
 }
 
 tetproof_status tetproof_list_surfaces(char** text, tetproof_error* error) {
-  return guarded(error, [&] { result_of(text, "text") = text_for_caller(corpus::list_surfaces()); });
+  return guarded(error, [&] {
+    char*& result = result_of(text, "text");
+    result = text_for_caller(corpus::list_surfaces());
+  });
 }
