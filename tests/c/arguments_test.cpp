@@ -94,6 +94,16 @@ TEST_F(CArguments, RefusesOptionsOutOfTheirRange) {
 TEST_F(CArguments, GivesUpAfterTheDeadline) {
   EXPECT_EQ(of_options([](auto& o) { o.deadline = 1e-9; }, TETPROOF_OUT_OF_TIME),
             "the verdict took longer than allowed");
+  const Surface ball = opened("sphere:r=1,n=500");
+  tetproof_mesh_options options = mesh_options();
+  options.cells[0] = 16;  // some 6,000 insertions, seconds of them
+  options.v0 = options.v1 = 0.01;
+  for (const double deadline : {1e-9, 0.2}) {
+    options.deadline = deadline;
+    refused<tetproof_document>(TETPROOF_OUT_OF_TIME, [&](auto** out, auto* error) {
+      return tetproof_mesh(ball.get(), &options, out, error);
+    });
+  }
 }
 
 TEST_F(CArguments, RefusesTagsOfOtherMeshes) {

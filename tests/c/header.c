@@ -7,6 +7,11 @@
 #include "tetproof.h"
 #include "tetproof.h" /* may be included twice */
 
+/* Sizes that callers have compiled in: a change of one breaks them. */
+typedef char points_are_fixed[sizeof(tetproof_points) == 24 + sizeof(void*) ? 1 : -1];
+typedef char integers_are_fixed[sizeof(tetproof_integers) == 40 + sizeof(void*) ? 1 : -1];
+typedef char errors_are_fixed[sizeof(tetproof_error) == 1024 ? 1 : -1];
+
 #define EXPECT(condition) \
   if (!(condition)) return __LINE__
 

@@ -5,6 +5,7 @@
 
 #include "corpus/bad_meshes.hpp"
 #include "tests/c/handles.hpp"
+#include "tests/support/test_files.hpp"
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -75,6 +76,23 @@ TEST(CThreads, KeepErrorsApart) {
       }
     });
   for (std::thread& thread : threads) thread.join();
+}
+
+TEST(CThreads, WriteTheSameFile) {
+  const TestFiles files;
+  const Surface ball = opened("sphere:r=1,n=300");
+  const FileDocument grid = grid_of(ball);
+  ASSERT_EQ(tetproof_document_write(grid.get(), files.path("one.msh").c_str(), nullptr, nullptr),
+            TETPROOF_OK);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 10; ++k)
+        EXPECT_EQ(tetproof_document_write(grid.get(), files.path("same.msh").c_str(), nullptr, nullptr),
+                  TETPROOF_OK);
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(TestFiles::read(files.path("same.msh")), TestFiles::read(files.path("one.msh")));
 }
 
 TEST(CThreads, AnswerTheSameInEveryFloatingPointEnvironment) {

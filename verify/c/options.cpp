@@ -206,6 +206,11 @@ MeshOptions checked(const tetproof_mesh_options* options) {
   mesh.literal = truth("literal", given.literal);
   mesh.parametric = truth("parametric", given.parametric);
   result.threads = in_range("threads", given.threads, 0, 4096);
+  const verify::Deadline deadline = deadline_in(given.deadline);
+  if (deadline) {
+    mesh.listener.phase = [deadline](std::string_view) { verify::keep(deadline); };
+    mesh.listener.after_step = [deadline](const reference::WeightedGrid&) { verify::keep(deadline); };
+  }
   const reference::AdaptOptions adapt = adapt_options(given);
   try {
     reference::check(adapt);

@@ -23,7 +23,7 @@ JudgeOptions checked(const tetproof_judge_options* options, bool has_surface);
 
 /// Options of the mesher that were checked.
 struct MeshOptions {
-  reference::Options options;
+  reference::Options options;  ///< they listen, to keep the deadline
   std::int32_t threads = 0;
 };
 MeshOptions checked(const tetproof_mesh_options* options);

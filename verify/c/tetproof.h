@@ -24,8 +24,8 @@
  * object that was asked, and is valid until that is freed.
  *
  * Growth. Options begin with their size, which their init function sets. A size that this version does not
- * know is refused. Records, which the library makes, may get more members at their end: use their pointers,
- * and do not copy arrays of them.
+ * know is refused. The structs of arrays and errors never change. Records, which the library makes, may get
+ * more members at their end: use their pointers, and do not copy arrays of them.
  *
  * Texts are UTF-8 and end with a zero byte. Enumerations are int32_t in every struct, so that a value which
  * is none of them is refused and not undefined. Truth values are 0 and 1. */
@@ -178,7 +178,8 @@ typedef struct tetproof_judge_options {
   int32_t region;  /* TETPROOF_REGION_...; inside and outside need a surface */
   int32_t voxels;  /* along the longest side, for the second account of volume: 0 (none) to 1024 [128] */
   double fidelity; /* allowed distance [diagonals of the surface's box]; 0: exactly [1e-3] */
-  double deadline; /* seconds after which the call gives up with OUT_OF_TIME; 0: none [0] */
+  double deadline; /* seconds after which the call gives up with OUT_OF_TIME, which it looks at between its
+                      stages and while it measures distances; 0: none [0] */
   int32_t threads; /* at most so many, 1 to 4096; 0: all processors [0] */
   int32_t strict_topology; /* topology, cavities and non-manifold places fail instead of warn [0] */
   int32_t coarse;          /* for a mesh made from a lattice with cells as wide as the allowed distance: parts
@@ -384,8 +385,10 @@ TETPROOF_API const tetproof_check_info* tetproof_check_info_at(int32_t position)
 /* --- Documents: everything in a mesh file ------------------------------------------------------------- */
 
 /* Reads a file of any format that tetproof-convert reads; files of TetGen and Medit bring those that stand
- * beside them. `format`: as of tetproof_surface_open. "-" is a file of that name. BAD_INPUT, with the place
- * in the file. */
+ * beside them. What only Gmsh reads (.step, .geo, ...) goes through a child process, tetproof-gmsh-import;
+ * the environment variable TETPROOF_GMSH_IMPORT says where it is, if it is not where it was installed.
+ * `format`: as of tetproof_surface_open. "-" is a file of that name. BAD_INPUT, with the place in the file.
+ */
 TETPROOF_API tetproof_status tetproof_document_read(const char* path, const char* format,
                                                     tetproof_document** document, tetproof_error* error);
 
@@ -513,6 +516,8 @@ typedef struct tetproof_mesh_options {
   double d1;             /* eq. (3.1): a distance [length]; 0: the largest of the first grid [0] */
   double p;              /* eq. (3.1): the exponent, more than 0 [1] */
   double improve_below;  /* improve after an insertion that made a solid angle smaller [4 pi] [0.002] */
+  double deadline;       /* seconds after which the call gives up with OUT_OF_TIME, which it looks at between
+                            its steps and after each insertion; 0: none [0] */
   int32_t improve;       /* TETPROOF_IMPROVE_...: the measure that flips raise */
   int32_t past_dilution; /* go on even if the chosen tetrahedron is not larger than it should be; needs a
                             number of points [0] */
