@@ -95,6 +95,29 @@ TEST(CDocuments, ComeBackFromFiles) {
   }
 }
 
+TEST(CDocuments, TakeNamesOfAnyBytes) {
+  const TestFiles files;
+  const FileDocument document = two_cubes();
+  for (const char* name : {"two\nlines", "a \"b\" c", "\xff\xfe", "$EndPhysicalNames", " ", ""}) {
+    SCOPED_TRACE(name);
+    ASSERT_EQ(tetproof_document_name_group(document.get(), 3, 7, name, nullptr), TETPROOF_OK);
+    for (const char* format : {"msh41", "msh22"}) {
+      tetproof_write_options options;
+      ASSERT_EQ(tetproof_write_options_init(&options, sizeof options, nullptr), TETPROOF_OK);
+      options.format = format;
+      options.strict = TETPROOF_STRICT_ON;
+      tetproof_error error;
+      ASSERT_EQ(tetproof_document_write(document.get(), files.path("a.msh").c_str(), &options, &error),
+                TETPROOF_OK)
+          << error.message;
+      const FileDocument back = read(files.path("a.msh"));
+      ASSERT_EQ(view(back).group_count, 1);
+      EXPECT_STREQ(view(back).groups[0]->name, name);
+      EXPECT_EQ(view(back).tet_groups[0], 7);
+    }
+  }
+}
+
 TEST(CDocuments, AreReadFromMemory) {
   const TestFiles files;
   write(two_cubes(), files.path("two.msh"), TETPROOF_ENCODING_BINARY);
