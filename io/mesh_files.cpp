@@ -79,4 +79,9 @@ Document read_document(const std::string& path, const ReadOptions& options) {
   return io::read_file(io::open_input(path), options, io::Wanted::document).document;
 }
 
+Document read_document_in_memory(std::string_view bytes, const ReadOptions& options,
+                                 const std::string& name) {
+  return io::read_file(InputFile::in_memory(bytes, name), options, io::Wanted::document).document;
+}
+
 }  // namespace tetproof

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/document.hpp"
@@ -71,6 +72,10 @@ struct ReadOptions {
 /// repetitions. Items that the reader does not take are in `Document::dropped`. InputError, with the file's
 /// line or byte offset, for what the format does not permit; with the format's name for a foreign format.
 Document read_document(const std::string& path, const ReadOptions& options = {});
+/// Reads the bytes of a file likewise. No ending tells their format, and no file stands beside them. `name`:
+/// for messages.
+Document read_document_in_memory(std::string_view bytes, const ReadOptions& options = {},
+                                 const std::string& name = "memory");
 
 /// Writes the document whole or not at all. What the format cannot hold is left out: `losses` in
 /// io/losses.hpp lists it; and `kept_aside` what stands in a corner of the file for `read_document` alone.

@@ -21,7 +21,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
   if (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
     beside_ = path_;  // nothing can be renamed to a pipe or a device
   else
-    beside_ = path_ + fmt::format(".{}.part", ::getpid());
+    beside_ = path_ + fmt::format(".{}.part", ::gettid());  // two threads may write the same file
   file_ = std::fopen(beside_.c_str(), "wb");
   if (!file_) fail("cannot create");
 }

@@ -53,6 +53,10 @@ InputFile InputFile::standard_input() {
   return InputFile(StandardInput{});
 }
 
+InputFile InputFile::in_memory(std::string_view bytes, const std::string& name) {
+  return {bytes, name};
+}
+
 void InputFile::read_all(int descriptor) {
   char buffer[1 << 16];
   for (;;) {

@@ -15,12 +15,15 @@ class InputFile {
   explicit InputFile(const std::string& path);
   /// All of standard input, read into memory. `path()` is "standard input", for messages.
   static InputFile standard_input();
+  /// A file that is in memory already, and stays there as long as this is used. `name`: for messages.
+  static InputFile in_memory(std::string_view bytes, const std::string& name);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Whether `path()` names a file, so that there can be others beside it; false for standard input.
+  /// Whether `path()` names a file, so that there can be others beside it; false for standard input and for
+  /// memory.
   bool is_named() const { return named_; }
   std::string_view bytes() const { return bytes_; }
   /// Copies bytes of the file into memory. Several threads may do so at once.
@@ -31,6 +34,7 @@ class InputFile {
  private:
   struct StandardInput {};
   explicit InputFile(StandardInput);
+  InputFile(std::string_view bytes, const std::string& name) : path_(name), bytes_(bytes), named_(false) {}
   void read_all(int descriptor);  // into copy_
 
   std::string path_, copy_;

@@ -34,7 +34,7 @@ class Writer {
   void write() {
     file_.write(msh_header("2.2", Binary));
     file_.write(msh_kept_sections(document_, holds_, true));
-    file_.write(msh_names(document_));
+    file_.write(msh_names(document_, holds_));
     limits_.parametric ? parametric_nodes() : nodes();
     elements();
     file_.write(msh_kept_sections(document_, holds_, false));

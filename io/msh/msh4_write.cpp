@@ -31,7 +31,7 @@ class Writer {
   void write() {
     file_.write(msh_header(v40_ ? "4" : "4.1", Binary));
     file_.write(msh_kept_sections(document_, holds_, true));
-    file_.write(msh_names(document_));
+    file_.write(msh_names(document_, holds_));
     entities(false);
     if (plan_.partitions > 0 || !plan_.ghosts.empty() ||
         (!plan_.entities.empty() && plan_.entities.back().parent_dim >= 0))

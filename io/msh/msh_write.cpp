@@ -19,12 +19,16 @@ std::string msh_header(const char* version, bool binary) {
   return text + "$EndMeshFormat\n";
 }
 
-std::string msh_names(const Document& document) {
-  if (document.group_names.empty()) return {};
-  std::string text = fmt::format("$PhysicalNames\n{}\n", document.group_names.size());
-  for (const GroupName& name : document.group_names)
-    text += fmt::format("{} {} \"{}\"\n", name.dim, name.group, name.name);
-  return text + "$EndPhysicalNames\n";
+std::string msh_names(const Document& document, const Holds& holds) {
+  std::string names;
+  std::size_t count = 0;
+  for (const GroupName& name : document.group_names) {
+    if (!holds.name(name)) continue;
+    names += fmt::format("{} {} \"{}\"\n", name.dim, name.group, name.name);
+    ++count;
+  }
+  if (count == 0) return {};
+  return fmt::format("$PhysicalNames\n{}\n{}$EndPhysicalNames\n", count, names);
 }
 
 std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes) {

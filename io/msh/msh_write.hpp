@@ -21,8 +21,8 @@ inline constexpr std::int64_t largest_int = std::numeric_limits<std::int32_t>::m
 
 /// Returns the header; in binary, with the number 1.
 std::string msh_header(const char* version, bool binary);
-/// Returns $PhysicalNames; empty if there are no names.
-std::string msh_names(const Document& document);
+/// Returns $PhysicalNames with the names that are held; empty if there are none.
+std::string msh_names(const Document& document, const Holds& holds);
 /// Returns the sections that were kept as they stood: those from before the nodes, or those from after them.
 std::string msh_kept_sections(const Document& document, const Holds& holds, bool before_nodes);
 

@@ -2,6 +2,8 @@
 #include "io/surface/used_vertices.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace tetproof::io {
 
@@ -19,6 +21,18 @@ std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& su
   }
   for (auto& triangle : used.triangles)
     for (Index& v : triangle) v = number[v];
+  return used;
+}
+
+std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& surface,
+                                                       SurfaceNumbering& numbering) {
+  std::optional<TriangleSurface> used = without_unused_vertices(surface);
+  if (!used) return used;
+  std::vector<std::int64_t> numbers(used->vertices.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers[static_cast<std::size_t>(used->triangles[t][k])] = numbering.vertex(surface.triangles[t][k]);
+  numbering.vertices = std::move(numbers);
   return used;
 }
 

@@ -12,5 +12,8 @@ namespace tetproof::io {
 /// Such a vertex is no point of the surface: it must not change the box, or the distance to the
 /// surface's vertices. Triangles must name vertices that exist.
 std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& surface);
+/// The same; `numbering` becomes that of the surface that is returned.
+std::optional<TriangleSurface> without_unused_vertices(const TriangleSurface& surface,
+                                                       SurfaceNumbering& numbering);
 
 }  // namespace tetproof::io

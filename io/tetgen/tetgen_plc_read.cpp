@@ -139,7 +139,7 @@ bool read_plc(Records& in, const std::string& node_path, bool smesh, Document& d
   if (header.count > 0)
     read_nodes(in, header, document);
   else if (node_path.empty())
-    in.fail("expected points here, found none; a .node file beside it cannot come through standard input");
+    in.fail("expected points here, found none; a .node file beside it cannot come through " + in.path());
   else
     read_node_file(node_path, document);
   document.first_element = document.first_node;

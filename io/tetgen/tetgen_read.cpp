@@ -183,7 +183,7 @@ bool file_exists(const std::string& path) {
 ReadDocument read_tetgen(const InputFile& file, Wanted) {
   if (!file.is_named())
     throw InputError(fmt::format(
-        "{}: TetGen's mesh is several files, of which standard input can be only one; name the .node or .ele",
+        "{0}: TetGen's mesh is several files, of which {0} can be only one; name the .node or .ele",
         file.path()));
   const TetgenPath set = tetgen_path(file.path());
   if (set.ending == ".cell") throw InputError(fmt::format("{}: expected .v.cell, found .cell", file.path()));

@@ -135,16 +135,11 @@ TriangleSurface reduced(const TriangleSurface& surface, const Arguments& a, cons
 // The surface without vertices that no triangle names, and says how many there are. `numbering` follows.
 TriangleSurface used_part(TriangleSurface surface, SurfaceNumbering& numbering, const Arguments& a,
                           const program::Common& common) {
-  std::optional<TriangleSurface> used = io::without_unused_vertices(surface);
+  std::optional<TriangleSurface> used = io::without_unused_vertices(surface, numbering);
   if (!used) return surface;
   const auto left_out = surface.vertices.size() - used->vertices.size();
   program::say(common, fmt::format("{}: without {} that no triangle names", a.surface,
                                    io::counted(left_out, "vertices")));
-  std::vector<std::int64_t> numbers(used->vertices.size());
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      numbers[static_cast<std::size_t>(used->triangles[t][k])] = numbering.vertex(surface.triangles[t][k]);
-  numbering.vertices = std::move(numbers);
   return std::move(*used);
 }
 
