@@ -274,13 +274,15 @@ PYBIND11_MODULE(_core, module) {
   using namespace tetproof;
   module.doc() = "The extension behind the package tetproof.";
   module.attr("version") = TETPROOF_VERSION;
-  static const py::exception<InputError> input_error(module, "InputError", PyExc_ValueError);
-  input_error.attr("__module__") = "tetproof";
+  // Never destroyed: at the process's end Python is gone before static objects are.
+  static const auto* const input_error =
+      new py::exception<InputError>(module, "InputError", PyExc_ValueError);
+  input_error->attr("__module__") = "tetproof";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& error) {
-      PyErr_SetObject(input_error.ptr(), python::text(error.what()).ptr());
+      PyErr_SetObject(input_error->ptr(), python::text(error.what()).ptr());
     } catch (const verify::OutOfTime& error) {
       PyErr_SetString(PyExc_TimeoutError, error.what());
     } catch (const std::logic_error& error) {

@@ -26,7 +26,8 @@ __version__: str = _core.version
 __all__ = [
     "Block", "Check", "Comparison", "Document", "FileWarning", "Finding", "Grid", "InputError", "Loss",
     "LossError", "LossWarning", "Losses", "NotJudged", "Report", "Surface", "as_document", "as_surface",
-    "compare", "convert", "fuzz", "generate", "list_checks", "list_surfaces", "mesh", "read", "verify", "write",
+    "compare", "convert", "fuzz", "generate", "list_checks", "list_surfaces", "mesh", "read", "verify",
+    "write",
 ]
 
 

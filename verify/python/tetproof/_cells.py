@@ -12,8 +12,10 @@ from ._documents import Document
 
 POLYGON, WEDGE, POLYHEDRON, UNKNOWN = 7, 13, 42, 255  #: VTK's numbers of types
 # fmt: off
-_VTK_NUMBERS = {"f8": "Float64", "f4": "Float32", "f2": "Float32", "i8": "Int64", "u8": "UInt64", "i4": "Int32",
-                "u4": "UInt32", "i2": "Int16", "u2": "UInt16", "i1": "Int8", "u1": "UInt8", "b1": "UInt8"}
+_VTK_NUMBERS = {
+    "f8": "Float64", "f4": "Float32", "f2": "Float32", "i8": "Int64", "u8": "UInt64", "i4": "Int32",
+    "u4": "UInt32", "i2": "Int16", "u2": "UInt16", "i1": "Int8", "u1": "UInt8", "b1": "UInt8",
+}
 # fmt: on
 
 
@@ -81,10 +83,11 @@ class Cells:
 
     def document(self, name: str) -> Document:
         def joined(parts: list[np.ndarray]) -> np.ndarray:
-            return np.concatenate(parts).astype(np.int64, copy=False) if parts else np.empty(0, dtype=np.int64)
+            return np.concatenate(parts).astype(np.int64, copy=False) if parts else none
 
-        face_ends = joined(self.face_ends) if self.faces else np.empty(0, dtype=np.int64)
+        none = np.empty(0, dtype=np.int64)
         return Document(_core.document_of_cells(
-            name.encode(), self.points, joined(self.connectivity), np.cumsum(joined(self.sizes)), joined(self.types),
-            np.array(self.faces, dtype=np.int64), face_ends, self.point_data, self.cell_data, self.fields,
+            name.encode(), self.points, joined(self.connectivity), np.cumsum(joined(self.sizes)),
+            joined(self.types), np.array(self.faces, dtype=np.int64),
+            joined(self.face_ends) if self.faces else none, self.point_data, self.cell_data, self.fields,
             self.dropped))

@@ -2,6 +2,8 @@
 """Documents: the content of mesh files of every format. Reading, writing, converting."""
 from __future__ import annotations
 
+import dataclasses
+import inspect
 import os
 import warnings
 from typing import Any, NamedTuple
@@ -12,7 +14,8 @@ from . import _core
 from ._arrays import InputError, file_name, index_array, is_path, point_array
 
 
-class Loss(NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class Loss:
     """An item that a file has and its document has not, or the other way round."""
 
     item: str  #: the kind of thing
@@ -225,6 +228,14 @@ def of_rows(points: Any, rows: Any) -> Document:
     return Document(_core.Document(point_array(points), index_array(rows, columns, what)))
 
 
+def warn(text: str, category: type[Warning]) -> None:
+    """Warns at the line that called this package."""
+    level, frame = 1, inspect.currentframe()
+    while frame and frame.f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, category, stacklevel=level)
+
+
 def _losses(losses: list[_core.Loss]) -> list[Loss]:
     return [Loss(loss.item, loss.count, loss.example, loss.elements) for loss in losses]
 
@@ -232,9 +243,9 @@ def _losses(losses: list[_core.Loss]) -> list[Loss]:
 def _tell(source: Any) -> None:
     """Says what the reader of a file has to say, where no Document shows it."""
     for warning in source.warnings:
-        warnings.warn(warning, FileWarning, stacklevel=3)
+        warn(warning, FileWarning)
     for loss in _losses(source._core.dropped):
-        warnings.warn(f"not read: {loss}", FileWarning, stacklevel=3)
+        warn(f"not read: {loss}", FileWarning)
 
 
 def _write(path: Any, document: Document, format: str | None, binary: bool | None, strictness: str,
@@ -253,8 +264,7 @@ def _write(path: Any, document: Document, format: str | None, binary: bool | Non
         raise LossError(done.refusal, losses)
     if not only_plan:
         for loss in losses.dangling:
-            text = f"{os.fspath(path)}: {loss}: other programs may refuse the file"
-            warnings.warn(text, LossWarning, stacklevel=3)
+            warn(f"{os.fspath(path)}: {loss}: other programs may refuse the file", LossWarning)
         if done.warning:
-            warnings.warn(done.warning, LossWarning, stacklevel=3)
+            warn(done.warning, LossWarning)
     return losses

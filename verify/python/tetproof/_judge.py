@@ -136,10 +136,10 @@ def compare(other: Any, reference: Any, *, tolerance: float = 1e-9,
                                                 file_name(surface) if surface is not None else b""))
     if any(traces):
         raise InputError("one of them is a trace, and the other is not: two traces or two grids are compared")
-    documents = []
-    for thing, role in ((other, "other"), (reference, "reference")):
-        documents += [_document_of(thing)._core, file_name(thing) if is_path(thing) else role.encode()]
-    return Comparison(*_core.compare_grids(*documents, tolerance))
+    roles = ((other, b"other"), (reference, b"reference"))
+    names = [file_name(thing) if is_path(thing) else role for thing, role in roles]
+    return Comparison(*_core.compare_grids(_document_of(other)._core, names[0], _document_of(reference)._core,
+                                           names[1], tolerance))
 
 
 def _mesh_of(mesh: Any, tets: Any, points: Any, surface: Any, format: str | None) -> tuple[_core.Mesh, Any]:

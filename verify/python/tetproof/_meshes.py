@@ -7,7 +7,6 @@ in VTK's terms, which the extension takes as it takes a .vtu file.
 from __future__ import annotations
 
 import re
-import warnings
 from typing import Any, Iterable
 
 import numpy as np
@@ -15,7 +14,7 @@ import numpy as np
 from . import _core
 from ._arrays import InputError, integer_array, is_path, point_array
 from ._cells import POLYGON, POLYHEDRON, UNKNOWN, WEDGE, Cells
-from ._documents import Document, LossWarning, _losses, of_rows, read
+from ._documents import Document, Loss, LossWarning, _losses, of_rows, read, warn
 
 # meshio's names of VTK's types of cells. Names of Gmsh's complete elements of higher order follow from the
 # shape.
@@ -23,16 +22,19 @@ from ._documents import Document, LossWarning, _losses, of_rows, read
 _VTK = {
     "empty": 0, "vertex": 1, "line": 3, "triangle": 5, "polygon": 7, "pixel": 8, "quad": 9, "tetra": 10,
     "hexahedron": 12, "wedge": 13, "pyramid": 14, "penta_prism": 15, "hexa_prism": 16, "line3": 21,
-    "triangle6": 22, "quad8": 23, "tetra10": 24, "hexahedron20": 25, "wedge15": 26, "pyramid13": 27, "quad9": 28,
-    "hexahedron27": 29, "quad6": 30, "wedge12": 31, "wedge18": 32, "hexahedron24": 33, "triangle7": 34,
-    "line4": 35, "polyhedron": 42, "VTK_LAGRANGE_CURVE": 68, "VTK_LAGRANGE_TRIANGLE": 69,
+    "triangle6": 22, "quad8": 23, "tetra10": 24, "hexahedron20": 25, "wedge15": 26, "pyramid13": 27,
+    "quad9": 28, "hexahedron27": 29, "quad6": 30, "wedge12": 31, "wedge18": 32, "hexahedron24": 33,
+    "triangle7": 34, "line4": 35, "polyhedron": 42, "VTK_LAGRANGE_CURVE": 68, "VTK_LAGRANGE_TRIANGLE": 69,
     "VTK_LAGRANGE_QUADRILATERAL": 70, "VTK_LAGRANGE_TETRAHEDRON": 71, "VTK_LAGRANGE_HEXAHEDRON": 72,
-    "VTK_LAGRANGEWEDGE": 73, "VTK_LAGRANGE_PYRAMID": 74, "VTK_BEZIER_CURVE": 75, "VTK_BEZIER_TRIANGLE": 76,
+    "VTK_LAGRANGE_WEDGE": 73, "VTK_LAGRANGE_PYRAMID": 74, "VTK_BEZIER_CURVE": 75, "VTK_BEZIER_TRIANGLE": 76,
     "VTK_BEZIER_QUADRILATERAL": 77, "VTK_BEZIER_TETRAHEDRON": 78, "VTK_BEZIER_HEXAHEDRON": 79,
-    "VTK_BEZIERWEDGE": 80, "VTK_BEZIER_PYRAMID": 81,
+    "VTK_BEZIER_WEDGE": 80, "VTK_BEZIER_PYRAMID": 81,
 }
+_HIGHER_ORDER = {
+    "line": 68, "triangle": 69, "quad": 70, "tetra": 71, "hexahedron": 72, "wedge": 73, "pyramid": 74,
+}
+# fmt: on
 _MESHIO = {number: name for name, number in _VTK.items()}
-_HIGHER_ORDER = {"line": 68, "triangle": 69, "quad": 70, "tetra": 71, "hexahedron": 72, "wedge": 73, "pyramid": 74}
 # meshio lists the corners of a wedge as Gmsh does; in VTK's wedge the first triangle faces outwards.
 _WEDGE_ORDER = [0, 2, 1, 3, 5, 4]
 
@@ -69,21 +71,22 @@ def as_document(mesh: Any) -> Document:
     elif hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return of_rows(mesh.vertices, mesh.faces)
     else:
-        raise InputError(f"a mesh of type {type(mesh).__name__}: expected a Document, a path, a pair of arrays, or an "
-                         "object with points and cells")
+        raise InputError(f"a mesh of type {type(mesh).__name__}: expected a Document, a path, a pair of "
+                         "arrays, or an object with points and cells")
     return cells.document(f"a mesh of type {type(mesh).__module__.split('.')[0]}.{type(mesh).__name__}")
 
 
 def _points(points: Any) -> np.ndarray:
     table = np.asarray(points)
     if table.ndim == 2 and table.shape[1] == 2:
-        raise InputError("points: expected three coordinates each, found two: a mesh in the plane has no tetrahedra")
+        raise InputError("points: expected three coordinates each, found two")
     return point_array(table)
 
 
 def _of_meshio(mesh: Any, cells: Cells) -> None:
     """meshio.Mesh: blocks with `type` and `data`, cell data as a list of arrays, one for each block."""
-    blocks = [(block.type, block.data) if hasattr(block, "type") else tuple(block) for block in mesh.cells]
+    blocks = [(block.type, block.data) if hasattr(block, "type") else (block[0], block[1])
+              for block in mesh.cells]
     _of_blocks(mesh, blocks, cells)
     for name, parts in (getattr(mesh, "cell_data", None) or {}).items():
         arrays = [np.asarray(part) for part in parts]
@@ -154,8 +157,8 @@ def _of_poly_data(mesh: Any, cells: Cells) -> None:
 
 def _data_of_pyvista(mesh: Any, cells: Cells) -> None:
     for kind, items in (("point", len(cells.points)), ("cell", cells.count()), ("field", None)):
-        data = getattr(mesh, f"{kind}_data", None)
-        for name in list(data.keys()) if data is not None else ():
+        data = getattr(mesh, f"{kind}_data", None) or {}
+        for name in list(data.keys()):
             to = {"point": "points", "cell": "cells", "field": "neither"}[kind]
             cells.add_data(to, name, data[name], items)
 
@@ -164,8 +167,9 @@ def _unpacked(flat: np.ndarray, cells: int | None, what: str) -> tuple[np.ndarra
     """The points of all cells, and their numbers, from a list in which each number stands before its points.
     """
     each = int(flat[0]) + 1 if len(flat) else 1
-    if len(flat) % each == 0 and (flat[::each] == each - 1).all() and (cells is None or len(flat) == each * cells):
-        rows = flat.reshape(-1, each)  # all alike, as in most meshes
+    fits = len(flat) % each == 0 and (cells is None or len(flat) == each * cells)
+    if fits and (flat[::each] == each - 1).all():  # all alike, as in most meshes
+        rows = flat.reshape(-1, each)
         return rows[:, 1:].ravel(), rows[:, 0]
     kept, sizes, at = np.ones(len(flat), dtype=bool), [], 0
     while at < len(flat):
@@ -209,7 +213,8 @@ def _of_vtk(mesh: Any, cells: Cells) -> None:
                 types = np.where(sizes == one, one, several) if one == 1 else np.full(len(sizes), several)
                 cells.add_mixed(types, connectivity, sizes)
     for kind, of, items in (("points", mesh.GetPointData(), len(cells.points)),
-                            ("cells", mesh.GetCellData(), cells.count()), ("neither", mesh.GetFieldData(), None)):
+                            ("cells", mesh.GetCellData(), cells.count()),
+                            ("neither", mesh.GetFieldData(), None)):
         for i in range(of.GetNumberOfArrays()):
             array = of.GetAbstractArray(i)
             if hasattr(array, "GetVoidPointer") and of.GetArray(i) is not None:
@@ -230,17 +235,18 @@ def meshio_cells(cells: dict[str, Any]) -> tuple[list[tuple[str, Any]], list[np.
     breaks = np.flatnonzero((types[1:] != types[:-1]) | (sizes[1:] != sizes[:-1])) + 1
     blocks: list[tuple[str, Any]] = []
     places: list[np.ndarray] = []
-    face_starts = np.maximum.accumulate(np.concatenate([[0], cells["face_ends"]])) if len(cells["face_ends"]) else None
+    face_starts = np.maximum.accumulate(np.concatenate([[0], cells["face_ends"]]))
     for first, last in zip([0, *breaks], [*breaks, len(types)]):
         if first == last:
             continue
         number, size = int(types[first]), int(sizes[first])
         places.append(np.arange(first, last))
-        if number == POLYHEDRON and face_starts is not None:
-            blocks.append((f"polyhedron{size}", [_faces(cells["faces"], int(face_starts[c])) for c in range(first, last)]))
+        if number == POLYHEDRON:
+            faces = [_faces(cells["faces"], int(face_starts[c])) for c in range(first, last)]
+            blocks.append((f"polyhedron{size}", faces))
             continue
         nodes = connectivity[starts[first]:ends[last - 1]].reshape(-1, size)
-        blocks.append((_MESHIO.get(number, f"VTK type {number}"), nodes[:, _WEDGE_ORDER] if number == WEDGE else nodes))
+        blocks.append((_MESHIO[number], nodes[:, _WEDGE_ORDER] if number == WEDGE else nodes))
     return blocks, places
 
 
@@ -254,13 +260,27 @@ def _faces(stream: np.ndarray, at: int) -> list[np.ndarray]:
     return faces
 
 
+def _is_known(meshio: Any, block: tuple[str, Any]) -> bool:
+    try:
+        meshio.CellBlock(*block)
+        return True
+    except KeyError:  # it looks up the type's dimension
+        return False
+
+
 def to_meshio(document: Document) -> Any:
     import meshio
 
     cells = _core.cells_of_document(document._core)
     blocks, places = meshio_cells(cells)
-    for loss in [*document.losses(".vtu"), *_losses(cells["lost"])]:
-        warnings.warn(f"lost: {loss}", LossWarning, stacklevel=3)
+    known = [_is_known(meshio, block) for block in blocks]
+    unknown = [Loss("elements of a type that this meshio does not have", len(block[1]), block[0], True)
+               for block, is_known in zip(blocks, known) if not is_known]
+    blocks = [block for block, is_known in zip(blocks, known) if is_known]
+    places = [place for place, is_known in zip(places, known) if is_known]
+    for loss in [*document.losses(".vtu"), *_losses(cells["lost"]), *unknown]:
+        warn(f"lost: {loss}", LossWarning)
+
     def arrays(kind: str) -> list[tuple[str, np.ndarray]]:
         return [(name, np.asarray(values)) for name, values in cells[kind]]
 

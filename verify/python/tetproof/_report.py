@@ -192,10 +192,11 @@ def _finding(check: str, finding: dict[str, Any], rows: list[int]) -> Finding:
     point = finding["point"]
     return Finding(
         check=check, what=finding["what"], tets=tuple(finding["tets"]), vertices=tuple(finding["vertices"]),
-        faces=tuple(tuple(face) for face in finding["faces"]), point=None if point is None else tuple(point),
-        point_exact=None if exact is None else tuple(Fraction(number) for number in exact),
+        faces=tuple((a, b, c) for a, b, c in finding["faces"]),
+        point=None if point is None else (point[0], point[1], point[2]),
+        point_exact=None if exact is None else (Fraction(exact[0]), Fraction(exact[1]), Fraction(exact[2])),
         consequences={c["check"]: c["count"] for c in finding["consequences"]}, rows=tuple(rows),
-        tet_runs=tuple(tuple(run) for run in finding.get("tet_runs", ())))
+        tet_runs=tuple((first, last) for first, last in finding.get("tet_runs", ())))
 
 
 def _findings_html(check: Check, most: int = 3) -> str:
@@ -205,8 +206,8 @@ def _findings_html(check: Check, most: int = 3) -> str:
         kind, numbers = ("tetrahedra", finding.tets) if finding.tets else ("points", finding.vertices)
         named = ", ".join(map(str, numbers[:5])) + (", ..." if len(numbers) > 5 else "")
         lines.append(html.escape((f"{kind} {named}: " if numbers else "") + finding.what))
-    if check.count > most:
-        lines.append(f"{check.count - most} more")
+    if check.count > len(lines):
+        lines.append(f"{check.count - len(lines)} more")
     if check.consequences:
         lines.append(f"{check.consequences} that follow from other findings")
     return "<br>".join(lines)
