@@ -17,8 +17,9 @@ def pyvista_grid(points, cells, **data):
 
 def test_a_grid_of_tetrahedra_is_judged_as_its_arrays(two_tets, inverted):
     for points, tets in (two_tets, inverted):
-        grid = pyvista_grid(points, [(10, tet) for tet in tets])
+        grid = pyvista_grid(points, [(10, tet) for tet in tets], cell_data={"stress": np.zeros(2)})
         assert tetproof.verify(grid).to_json() == tetproof.verify(points, tets).to_json()
+        assert tetproof.verify(grid).to_json() == tetproof.verify(tetproof.as_document(grid)).to_json()
 
 
 CUBE = np.array([[x, y, z] for z in (0.0, 1) for y in (0, 1) for x in (0, 1)])

@@ -18,6 +18,7 @@
 #include "io/vtk/vtk_group_names.hpp"
 #include "io/vtk/vtk_mesh.hpp"
 #include "io/vtk/vtk_piece.hpp"
+#include "io/vtk/vtk_tags.hpp"
 #include "io/writing.hpp"
 #include "verify/deadline.hpp"
 #include "verify/python/interface.hpp"
@@ -247,6 +248,7 @@ void bind_documents(py::module_& module) {
              py::arg("face_ends"), py::arg("point_data"), py::arg("cell_data"), py::arg("fields"),
              py::arg("dropped"));
   module.def("cells_of_document", &cells_of_document, py::arg("document"));
+  module.def("may_be_tag_name", &io::may_be_vtk_tag_name, py::arg("name"));
   module.def("vtk_order", &vtk_order, py::arg("type"), py::arg("nodes"));
   module.def(
       "read",

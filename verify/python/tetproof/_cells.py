@@ -7,10 +7,10 @@ from typing import Any, Iterable
 import numpy as np
 
 from . import _core
-from ._arrays import InputError
+from ._arrays import InputError, index_array
 from ._documents import Document
 
-POLYGON, WEDGE, POLYHEDRON, UNKNOWN = 7, 13, 42, 255  #: VTK's numbers of types
+POLYGON, TETRAHEDRON, WEDGE, POLYHEDRON, UNKNOWN = 7, 10, 13, 42, 255  #: VTK's numbers of types
 # fmt: off
 _VTK_NUMBERS = {
     "f8": "Float64", "f4": "Float32", "f2": "Float32", "i8": "Int64", "u8": "UInt64", "i4": "Int32",
@@ -80,6 +80,18 @@ class Cells:
 
     def count(self) -> int:
         return sum(map(len, self.types))
+
+    def only_tetrahedra(self) -> np.ndarray | None:
+        """The corners, if there are only tetrahedra of four nodes, and no data that might be their groups."""
+        if self.dropped or any(_core.may_be_tag_name(name.encode()) for name, _, _ in self.cell_data):
+            return None
+        if any((types != TETRAHEDRON).any() for types in self.types):
+            return None
+        if any((sizes != 4).any() for sizes in self.sizes):  # a contradiction, which the document's maker tells
+            return None
+        parts = [connectivity.reshape(-1, 4) for connectivity in self.connectivity]
+        tets = parts[0] if len(parts) == 1 else np.concatenate([np.empty((0, 4), dtype=np.int32), *parts])
+        return index_array(tets, 4, "cells")
 
     def document(self, name: str) -> Document:
         def joined(parts: list[np.ndarray]) -> np.ndarray:

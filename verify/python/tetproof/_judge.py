@@ -12,7 +12,7 @@ import numpy as np
 from . import _core
 from ._arrays import InputError, file_name, index_array, integer_array, is_path, point_array
 from ._documents import Document, _tell, read
-from ._meshes import as_document
+from ._meshes import as_document, judged
 from ._report import Report
 from ._surfaces import as_surface
 
@@ -50,12 +50,12 @@ def verify(mesh: Any = None, tets: Any = None, surface: Any = None, *, points: A
     is never sound. InputError for arrays of another shape or kind, an unusable surface, and options out of
     range. Any number of threads may call it at once. Ctrl-C takes effect when the verdict is there.
     """
-    judged, surface = _mesh_of(mesh, tets, points, surface, format)
+    to_judge, surface = _mesh_of(mesh, tets, points, surface, format)
     if regions is not None:
         of_tet = integer_array(regions, "regions")
-        if of_tet.shape != (len(judged.tets),):
-            raise InputError(f"regions: expected the shape ({len(judged.tets)},), found {of_tet.shape}")
-        judged.set_regions(of_tet.astype(np.int64))
+        if of_tet.shape != (len(to_judge.tets),):
+            raise InputError(f"regions: expected the shape ({len(to_judge.tets)},), found {of_tet.shape}")
+        to_judge.set_regions(of_tet.astype(np.int64))
     if region is None:
         region = "none" if surface is None else "inside"
     if region not in ("inside", "outside", "none"):
@@ -72,7 +72,7 @@ def verify(mesh: Any = None, tets: Any = None, surface: Any = None, *, points: A
         raise InputError(f"threads: expected a number from 1 on, found {threads}")
     against = None if surface is None else as_surface(surface, surface_format)._core
     return Report(_core.verify(
-        judged, against, region=region, fidelity=fidelity, strict_topology=strict_topology,
+        to_judge, against, region=region, fidelity=fidelity, strict_topology=strict_topology,
         voxels=int(voxels), check=_ids(check), skip=_ids(skip), allow=_ids(allow), only_tets=only_tets,
         quality=quality, decide_only=decide_only, timings=timings, timeout=timeout, threads=threads or 0))
 
@@ -158,7 +158,8 @@ def _mesh_of(mesh: Any, tets: Any, points: Any, surface: Any, format: str | None
         if tets is None:
             raise InputError("expected tets beside points")
         return _core.Mesh(point_array(mesh), index_array(tets, 4, "tets")), surface
-    return _core.Mesh(_document_of(mesh, format)._core), _one_surface(tets, surface)
+    made = _core.Mesh(_document_of(mesh, format)._core) if is_path(mesh) else judged(mesh)
+    return made, _one_surface(tets, surface)
 
 
 def _one_surface(second: Any, surface: Any) -> Any:

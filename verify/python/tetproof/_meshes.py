@@ -49,6 +49,27 @@ def as_document(mesh: Any) -> Document:
     Points, and elements of such meshes, are numbered from 0, as a .vtu file has them: elements through all
     blocks. Pairs of arrays become a document that is numbered from 1, as `tetproof-mesh` writes it.
     """
+    taken = _taken(mesh)
+    return taken if isinstance(taken, Document) else taken.document(_name_of(mesh))
+
+
+def judged(mesh: Any) -> _core.Mesh:
+    """What `verify` judges of such a mesh. No document is made, which takes time, if all are tetrahedra."""
+    taken = _taken(mesh)
+    if isinstance(taken, Cells):
+        tets = taken.only_tetrahedra()
+        if tets is not None:
+            return _core.Mesh(taken.points, tets)
+        taken = taken.document(_name_of(mesh))
+    return _core.Mesh(taken._core)
+
+
+def _name_of(mesh: Any) -> str:
+    return f"a mesh of type {type(mesh).__module__.split('.')[0]}.{type(mesh).__name__}"
+
+
+def _taken(mesh: Any) -> Document | Cells:
+    """The mesh as it comes in."""
     if isinstance(mesh, Document):
         return mesh
     if is_path(mesh):
@@ -73,7 +94,7 @@ def as_document(mesh: Any) -> Document:
     else:
         raise InputError(f"a mesh of type {type(mesh).__name__}: expected a Document, a path, a pair of "
                          "arrays, or an object with points and cells")
-    return cells.document(f"a mesh of type {type(mesh).__module__.split('.')[0]}.{type(mesh).__name__}")
+    return cells
 
 
 def _points(points: Any) -> np.ndarray:
