@@ -87,7 +87,7 @@ class Cells:
             return None
         if any((types != TETRAHEDRON).any() for types in self.types):
             return None
-        if any((sizes != 4).any() for sizes in self.sizes):  # a contradiction, which the document's maker tells
+        if any((sizes != 4).any() for sizes in self.sizes):  # a contradiction: the document tells which
             return None
         parts = [connectivity.reshape(-1, 4) for connectivity in self.connectivity]
         tets = parts[0] if len(parts) == 1 else np.concatenate([np.empty((0, 4), dtype=np.int32), *parts])
