@@ -3,8 +3,8 @@
 """What the Python package costs beside the program, on a mesh of a million tetrahedra.
 
 usage: python.py BUILD [--cells N] [--runs K]
-Each line is a median of K runs: the verdict itself as the program times it (its phases without reading), the call of
-`tetproof.verify` in all, and what of it brings the arrays to the judge. The two verdicts take turns, since machines drift.
+Medians of K runs, which take turns since machines drift: the wall time of the program's verdict (its phases without reading)
+and of the call of `tetproof.verify`; the CPU time of what brings the mesh to the judge, and its part of the call's.
 """
 import argparse
 import json
@@ -34,13 +34,17 @@ def main():
                "of the other byte order": (points.astype(">f8"), wide.astype(">i8"))}
     flat = np.insert(wide, 0, 4, axis=1).ravel()
     grid = type("Grid", (), {"points": points, "cells": flat, "celltypes": np.full(len(tets), 10, np.uint8)})
-    times = {name: [] for name in ("program", "judge", *layouts, "grid")}
-    calls = {name: [] for name in (*layouts, "grid")}
+    work = {name: (lambda arrays=arrays: tetproof.verify(*arrays),
+                   lambda arrays=arrays: _core.Mesh(tetproof._arrays.point_array(arrays[0]),
+                                                    tetproof._arrays.index_array(arrays[1], 4, "tets")))
+            for name, arrays in layouts.items()}
+    work["PyVista's attributes"] = (lambda: tetproof.verify(grid), lambda: _meshes.judged(grid))
+    program, calls, cpu, bringing = [], *({name: [] for name in work} for _ in range(3))
 
-    def seconds(work):
-        start = time.perf_counter()
-        result = work()
-        return time.perf_counter() - start, result
+    def seconds(call):
+        wall, processor = time.perf_counter(), time.process_time()
+        call()
+        return time.perf_counter() - wall, time.process_time() - processor
 
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "grid.msh"
@@ -49,20 +53,19 @@ def main():
             done = subprocess.run([str(options.build / "tetproof-verify"), str(file), "--timings", "--json", "-"],
                                   capture_output=True, text=True)
             phases = json.loads(done.stdout)["seconds"]
-            times["program"].append(sum(s for phase, s in phases.items() if phase != "reading"))
-            for name, arrays in layouts.items():
-                calls[name].append(seconds(lambda: tetproof.verify(*arrays))[0])
-                times[name].append(seconds(lambda: _core.Mesh(
-                    tetproof._arrays.point_array(arrays[0]), tetproof._arrays.index_array(arrays[1], 4, "tets")))[0])
-            calls["grid"].append(seconds(lambda: tetproof.verify(grid))[0])
-            times["grid"].append(seconds(lambda: _meshes.judged(grid))[0])
-    program = statistics.median(times["program"])
-    print(f"{len(tets):,} tetrahedra; the program's verdict, without reading: {program:.4f} s\n")
-    print("| the mesh as | call s | over the program's verdict | bringing it to the judge s | of the verdict |\n|---|---|---|---|---|")
-    for name in calls:
-        call, bringing = statistics.median(calls[name]), statistics.median(times[name])
-        what = name if name != "grid" else "PyVista's attributes"
-        print(f"| {what} | {call:.4f} | {100 * (call / program - 1):+.1f} % | {bringing:.4f} | {100 * bringing / program:.1f} % |")
+            program.append(sum(s for phase, s in phases.items() if phase != "reading"))
+            for name, (call, bring) in work.items():
+                wall, processor = seconds(call)
+                calls[name].append(wall)
+                cpu[name].append(processor)
+                bringing[name].append(seconds(bring)[1])
+    verdict = statistics.median(program)
+    print(f"{len(tets):,} tetrahedra; the program's verdict takes {verdict:.3f} s\n")
+    print("| the mesh as | the call, s | beside the program's verdict | bringing it to the judge, ms of CPU | of the call's CPU |")
+    print("|---|---|---|---|---|")
+    for name in work:
+        call, all_cpu, part = (statistics.median(of[name]) for of in (calls, cpu, bringing))
+        print(f"| {name} | {call:.3f} | {100 * (call / verdict - 1):+.0f} % | {1e3 * part:.1f} | {100 * part / all_cpu:.1f} % |")
 
 
 if __name__ == "__main__":

@@ -133,6 +133,9 @@ def test_surfaces():
     assert tetproof.fuzz(7, 12).points.tobytes() == tetproof.generate("fuzz:seed=7,case=12").points.tobytes()
     with pytest.raises(tetproof.InputError, match="no-such-kind"):
         tetproof.fuzz(1, 0, kinds=["no-such-kind"])
+    for seed, index in ((-1, 0), (1, 2**64), ("x", 0)):
+        with pytest.raises(tetproof.InputError, match="expected a number from 0"):
+            tetproof.fuzz(seed, index)
     with pytest.raises(tetproof.InputError, match="list_surfaces"):
         tetproof.generate("part.stl")
 

@@ -36,13 +36,14 @@ class Cells:
 
     def add(self, number: int, nodes: np.ndarray) -> None:
         """Cells of one type, a row of nodes each."""
-        self.add_mixed(np.full(len(nodes), number), nodes.ravel(), np.full(len(nodes), nodes.shape[1]))
+        count, each = nodes.shape
+        self.add_mixed(np.broadcast_to(number, count), nodes.ravel(), np.broadcast_to(each, count))
 
     def add_mixed(self, types: np.ndarray, connectivity: np.ndarray, sizes: np.ndarray) -> None:
         self.types.append(types)
         self.connectivity.append(connectivity)
         self.sizes.append(sizes)
-        self.face_ends.append(np.full(len(types), -1))
+        self.face_ends.append(np.broadcast_to(-1, len(types)))
 
     def add_polyhedron(self, faces: Iterable[Iterable[int]]) -> None:
         """A polyhedron, given by the points of its faces."""

@@ -182,4 +182,6 @@ def _document_of(mesh: Any, format: str | None = None) -> Document:
 
 
 def _ids(ids: str | Iterable[str]) -> list[str]:
-    return [part.strip() for part in ids.split(",") if part.strip()] if isinstance(ids, str) else list(ids)
+    if isinstance(ids, str):
+        return [part.strip() for part in ids.split(",") if part.strip()]
+    return [str(one) for one in ids]

@@ -158,8 +158,8 @@ def _of_pyvista(mesh: Any, cells: Cells) -> None:
     """pyvista.UnstructuredGrid by its attributes: `cells` has the number of points before those of each cell.
     """
     cells.points = _points(mesh.points)
-    types = integer_array(mesh.celltypes, "celltypes").astype(np.int64)
-    flat = integer_array(mesh.cells, "cells").astype(np.int64)
+    types = integer_array(mesh.celltypes, "celltypes")
+    flat = integer_array(mesh.cells, "cells")
     connectivity, sizes = _unpacked(flat, len(types), "cells")
     cells.add_mixed(types, connectivity, sizes)
     _data_of_pyvista(mesh, cells)
@@ -168,7 +168,7 @@ def _of_pyvista(mesh: Any, cells: Cells) -> None:
 def _of_poly_data(mesh: Any, cells: Cells) -> None:
     """pyvista.PolyData by its attributes: the faces, with the number of points before those of each."""
     cells.points = _points(mesh.points)
-    faces = integer_array(mesh.faces, "faces").astype(np.int64)
+    faces = integer_array(mesh.faces, "faces")
     if faces.ndim == 2:
         cells.add(POLYGON, faces)
         return
@@ -191,7 +191,7 @@ def _unpacked(flat: np.ndarray, cells: int | None, what: str) -> tuple[np.ndarra
     fits = len(flat) % each == 0 and (cells is None or len(flat) == each * cells)
     if fits and (flat[::each] == each - 1).all():  # all alike, as in most meshes
         rows = flat.reshape(-1, each)
-        return rows[:, 1:].ravel(), rows[:, 0]
+        return rows[:, 1:].ravel(), np.broadcast_to(each - 1, len(rows))
     kept, sizes, at = np.ones(len(flat), dtype=bool), [], 0
     while at < len(flat):
         size = int(flat[at])
@@ -214,14 +214,13 @@ def _of_vtk(mesh: Any, cells: Cells) -> None:
         cells.points = _points(vtk_to_numpy(mesh.GetPoints().GetData()))
 
     def arrays(of: Any) -> tuple[np.ndarray, np.ndarray]:
-        ends = vtk_to_numpy(of.GetOffsetsArray()).astype(np.int64)
-        return vtk_to_numpy(of.GetConnectivityArray()).astype(np.int64), np.diff(ends)
+        return vtk_to_numpy(of.GetConnectivityArray()), np.diff(vtk_to_numpy(of.GetOffsetsArray()))
 
     if hasattr(mesh, "GetCellTypesArray"):
         if mesh.GetNumberOfCells():
-            types = vtk_to_numpy(mesh.GetCellTypesArray()).astype(np.int64)
+            types = vtk_to_numpy(mesh.GetCellTypesArray())
             cells.add_mixed(types, *arrays(mesh.GetCells()))
-            stream = vtkIdList()
+            stream, cells.face_ends[0] = vtkIdList(), np.full(len(types), -1)
             for cell in np.flatnonzero(types == POLYHEDRON):
                 mesh.GetFaceStream(int(cell), stream)
                 cells.faces += [stream.GetId(i) for i in range(stream.GetNumberOfIds())]

@@ -114,7 +114,10 @@ def fuzz(seed: int, index: int, *, kinds: Iterable[str] = (), modifiers: Iterabl
     It depends on these and the options alone. `kinds`: only these kinds; `modifiers`: only these, "none" for
     none. `extreme_sizes`: also sizes of 1e-60 and 1e60. Its `name` is "fuzz:RECIPE".
     """
-    return Surface(_core.fuzz_surface(seed, index, kinds=list(kinds), modifiers=list(modifiers),
+    for name, number in (("seed", seed), ("index", index)):
+        if not isinstance(number, (int, np.integer)) or not 0 <= number < 2**64:
+            raise InputError(f"{name}: expected a number from 0 to 2^64 - 1, found {number!r}")
+    return Surface(_core.fuzz_surface(int(seed), int(index), kinds=list(kinds), modifiers=list(modifiers),
                                       most_triangles=most_triangles, extreme_sizes=extreme_sizes))
 
 
