@@ -94,7 +94,7 @@ class Document:
     @property
     def cells(self) -> list[tuple[str, np.ndarray]]:
         """The elements by meshio's names of types and in its order of nodes, as ("tetra", (n, 4)) pairs."""
-        from ._meshes import meshio_cells
+        from ._to_meshio import meshio_cells
 
         return meshio_cells(_core.cells_of_document(self._core))[0]
 
@@ -166,7 +166,7 @@ class Document:
         Groups are the cell data "gmsh:physical" and, by their names, the field data, as meshio has them of
         .msh.
         """
-        from ._meshes import to_meshio
+        from ._to_meshio import to_meshio
 
         return to_meshio(self)
 

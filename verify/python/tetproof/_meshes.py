@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Documents from and to the meshes of other libraries: meshio, PyVista, VTK, trimesh.
+"""Documents from the meshes of other libraries: meshio, PyVista, VTK, trimesh.
 
 They are recognised by their attributes, so that none of these libraries is needed. All of them become cells
 in VTK's terms, which the extension takes as it takes a .vtu file.
@@ -7,14 +7,14 @@ in VTK's terms, which the extension takes as it takes a .vtu file.
 from __future__ import annotations
 
 import re
-from typing import Any, Iterable
+from typing import Any
 
 import numpy as np
 
 from . import _core
 from ._arrays import InputError, integer_array, is_path, point_array
 from ._cells import POLYGON, POLYHEDRON, UNKNOWN, WEDGE, Cells
-from ._documents import Document, Loss, LossWarning, _losses, of_rows, read, warn
+from ._documents import Document, of_rows, read
 
 # meshio's names of VTK's types of cells. Names of Gmsh's complete elements of higher order follow from the
 # shape.
@@ -34,9 +34,9 @@ _HIGHER_ORDER = {
     "line": 68, "triangle": 69, "quad": 70, "tetra": 71, "hexahedron": 72, "wedge": 73, "pyramid": 74,
 }
 # fmt: on
-_MESHIO = {number: name for name, number in _VTK.items()}
+MESHIO = {number: name for name, number in _VTK.items()}
 # meshio lists the corners of a wedge as Gmsh does; in VTK's wedge the first triangle faces outwards.
-_WEDGE_ORDER = [0, 2, 1, 3, 5, 4]
+WEDGE_ORDER = [0, 2, 1, 3, 5, 4]
 
 
 def as_document(mesh: Any) -> Document:
@@ -146,7 +146,7 @@ def _type_of(name: Any, nodes: int) -> tuple[int, list[int]]:
     if re.fullmatch(r"polygon\d*", name):
         return POLYGON, []
     if name in _VTK:
-        return _VTK[name], _WEDGE_ORDER if _VTK[name] == WEDGE else []
+        return _VTK[name], WEDGE_ORDER if _VTK[name] == WEDGE else []
     shape = re.fullmatch(r"([a-z]+)(\d+)", name)
     if shape and shape[1] in _HIGHER_ORDER and int(shape[2]) == nodes:  # in Gmsh's order
         number = _HIGHER_ORDER[shape[1]]
@@ -245,66 +245,3 @@ def _of_vtk(mesh: Any, cells: Cells) -> None:
                 cells.drop(f"data of {kind} that are neither numbers nor texts", 1, f"'{array.GetName()}'")
                 continue
             cells.add_data(kind, array.GetName() or "", values, items)
-
-
-def meshio_cells(cells: dict[str, Any]) -> tuple[list[tuple[str, Any]], list[np.ndarray]]:
-    """Cells in VTK's terms as meshio's blocks; and the positions of the cells of each block."""
-    types, ends, connectivity = cells["types"], cells["ends"], cells["connectivity"]
-    starts = np.concatenate([[0], ends[:-1]]) if len(ends) else ends
-    sizes = ends - starts
-    breaks = np.flatnonzero((types[1:] != types[:-1]) | (sizes[1:] != sizes[:-1])) + 1
-    blocks: list[tuple[str, Any]] = []
-    places: list[np.ndarray] = []
-    face_starts = np.maximum.accumulate(np.concatenate([[0], cells["face_ends"]]))
-    for first, last in zip([0, *breaks], [*breaks, len(types)]):
-        if first == last:
-            continue
-        number, size = int(types[first]), int(sizes[first])
-        places.append(np.arange(first, last))
-        if number == POLYHEDRON:
-            faces = [_faces(cells["faces"], int(face_starts[c])) for c in range(first, last)]
-            blocks.append((f"polyhedron{size}", faces))
-            continue
-        nodes = connectivity[starts[first]:ends[last - 1]].reshape(-1, size)
-        blocks.append((_MESHIO[number], nodes[:, _WEDGE_ORDER] if number == WEDGE else nodes))
-    return blocks, places
-
-
-def _faces(stream: np.ndarray, at: int) -> list[np.ndarray]:
-    faces = []
-    count, at = int(stream[at]), at + 1
-    for _ in range(count):
-        size = int(stream[at])
-        faces.append(stream[at + 1:at + 1 + size])
-        at += 1 + size
-    return faces
-
-
-def _is_known(meshio: Any, block: tuple[str, Any]) -> bool:
-    try:
-        meshio.CellBlock(*block)
-        return True
-    except KeyError:  # it looks up the type's dimension
-        return False
-
-
-def to_meshio(document: Document) -> Any:
-    import meshio
-
-    cells = _core.cells_of_document(document._core)
-    blocks, places = meshio_cells(cells)
-    known = [_is_known(meshio, block) for block in blocks]
-    unknown = [Loss("elements of a type that this meshio does not have", len(block[1]), block[0], True)
-               for block, is_known in zip(blocks, known) if not is_known]
-    blocks = [block for block, is_known in zip(blocks, known) if is_known]
-    places = [place for place, is_known in zip(places, known) if is_known]
-    for loss in [*document.losses(".vtu"), *_losses(cells["lost"]), *unknown]:
-        warn(f"lost: {loss}", LossWarning)
-
-    def arrays(kind: str) -> list[tuple[str, np.ndarray]]:
-        return [(name, np.asarray(values)) for name, values in cells[kind]]
-
-    return meshio.Mesh(
-        np.array(document.points), blocks, point_data=dict(arrays("point_data")),
-        cell_data={name: [values[place] for place in places] for name, values in arrays("cell_data")},
-        field_data=dict(arrays("field_data")))

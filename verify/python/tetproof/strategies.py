@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """For Hypothesis: random closed surfaces that are hard for meshers, each proved to be valid.
 
-    from hypothesis import given
+    from hypothesis import given, settings
     from tetproof.strategies import surfaces
     from tetproof.testing import assert_sound
 
+    @settings(deadline=None)
     @given(surfaces())
     def test_my_mesher(surface):
         assert_sound(my_mesher(*surface), surface, fidelity=1e-9)
