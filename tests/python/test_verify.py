@@ -189,20 +189,31 @@ def _json(grid):
     return tetproof.verify(grid).to_json()
 
 
-def test_another_librarys_rounding_does_not_matter():
+@pytest.mark.parametrize("mxcsr", [0x4000, 0x8040], ids=["rounding upwards", "denormals are zero"])
+def test_another_librarys_arithmetic_does_not_matter(mxcsr, two_tets):
+    if os.uname().machine != "x86_64":
+        pytest.skip(f"the control word of {os.uname().machine} is another one")
+    libm, usual, changed = ctypes.CDLL("libm.so.6"), (ctypes.c_uint32 * 8)(), (ctypes.c_uint32 * 8)()
     grid = tetproof.mesh("sphere:r=1,n=500", cells=8)
-    expected = tetproof.verify(grid, "sphere:r=1,n=500", fidelity=0.1).to_json()
-    libm = ctypes.CDLL("libm.so.6")
-    usual, upwards = libm.fegetround(), {"x86_64": 0x800, "aarch64": 0x400000}.get(os.uname().machine)
-    if upwards is None:
-        pytest.skip(f"the number of the rounding mode is not known for {os.uname().machine}")
-    libm.fesetround(upwards)
+    tiny = two_tets[0] * 5e-310, two_tets[1]
+
+    def judge():
+        reports = tetproof.verify(grid, "sphere:r=1,n=500", fidelity=0.1), tetproof.verify(*tiny)
+        return [report.to_json() for report in reports]
+
+    expected = judge()
+    assert tetproof.verify(*tiny).sound
+    libm.fegetenv(usual)
+    libm.fegetenv(changed)
+    changed[7] |= mxcsr
+    libm.fesetenv(changed)
     try:
-        found = tetproof.verify(grid, "sphere:r=1,n=500", fidelity=0.1).to_json()
-        assert libm.fegetround() == upwards  # it is the other library's again
+        found = judge()
+        libm.fegetenv(changed)
     finally:
-        libm.fesetround(usual)
+        libm.fesetenv(usual)
     assert found == expected
+    assert changed[7] & mxcsr == mxcsr  # it is the other library's again
 
 
 def test_timeout_and_interrupt():

@@ -2,7 +2,6 @@
 """Closed surfaces, generated, random or from elsewhere; and the reference's grids of them."""
 from __future__ import annotations
 
-import os
 from typing import Any, Iterable, Iterator, NamedTuple, Sequence
 
 import numpy as np
