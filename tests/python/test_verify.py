@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The judge: the same report as the program's, findings, options, errors; threads and arithmetic."""
 import ctypes
+import gc
 import json
 import multiprocessing
 import os
+import pathlib
 import signal
 import threading
 from fractions import Fraction
@@ -176,6 +178,21 @@ def test_any_number_of_threads(two_tets):
     for thread in threads:
         thread.join()
     assert found == [expected] * 6
+
+
+def test_many_verdicts_take_no_more_memory(inverted):
+    def resident():
+        return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    def judge(times):
+        for _ in range(times):
+            tetproof.verify(*inverted)
+        gc.collect()
+        return resident()
+
+    judge(100)
+    before = resident()
+    assert judge(600) - before < 2e6  # 3 kB each
 
 
 def test_after_a_fork():

@@ -152,10 +152,10 @@ void bind_judge(py::module_& module) {
       .def(py::init(&mesh_of_document), py::arg("document"))
       .def(
           "set_regions",
-          [](Mesh& mesh, std::vector<std::int64_t> regions) {
-            mesh.regions = {std::move(regions), {}};
+          [](Mesh& mesh, const py::array_t<std::int64_t, py::array::c_style>& regions) {
+            mesh.regions = {{regions.data(), regions.data() + regions.size()}, {}};
           },
-          py::arg("regions"))
+          py::arg("regions").noconvert())
       .def_property_readonly(
           "points", [](const py::object& self) { return view(self.cast<const Mesh&>().mesh->points, self); })
       .def_property_readonly(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The extension, which only this package calls. Paths and names go in as bytes, texts come out as str.
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -75,7 +75,7 @@ class Surface:
 
 class Mesh:
     def __init__(self, *args: Any) -> None: ...
-    def set_regions(self, regions: Sequence[int] | np.ndarray) -> None: ...
+    def set_regions(self, regions: np.ndarray) -> None: ...
     @property
     def points(self) -> np.ndarray: ...
     @property
