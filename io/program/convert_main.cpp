@@ -16,6 +16,7 @@
 #include "io/program/files_in_use.hpp"
 #include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
+#include "io/program/refusal.hpp"
 #include "io/program/report_losses.hpp"
 
 namespace {
@@ -58,34 +59,11 @@ Document input(const std::string& in, const ReadOptions& options) {
   return document;
 }
 
-// What --strict, or --strict-native, does not permit: what is not read or lost; elements that only our reader
-// takes back; and under --strict-native everything else that only our reader takes back, be it kept aside or
-// elements that name nodes which do not exist.
-struct Refusal {
-  std::vector<Loss> not_read, lost, kept, dangling;
-
-  Refusal(const Choices& choices, const std::vector<Loss>& dropped, const std::vector<Loss>& losses,
-          const std::vector<Loss>& aside, const std::vector<Loss>& without_nodes) {
-    if (!choices.strict && !choices.strict_native) return;
-    not_read = dropped, lost = losses;
-    for (const Loss& loss : aside)
-      if (choices.strict_native || loss.elements) kept.push_back(loss);
-    if (choices.strict_native) dangling = without_nodes;
-  }
-  std::size_t items() const { return not_read.size() + lost.size() + kept.size() + dangling.size(); }
-
-  // "would be lost", "are not read or only in comments", ...
-  std::string why(const std::string& kept_in) const {
-    const bool one = items() == 1;
-    std::vector<std::string> reasons;
-    if (!not_read.empty()) reasons.push_back(one ? "is not read" : "are not read");
-    if (!lost.empty()) reasons.push_back("would be lost");
-    if (!kept.empty())
-      reasons.push_back(fmt::format("would stand in {} only, which other programs do not read", kept_in));
-    if (!dangling.empty()) reasons.push_back("would name nodes that do not exist");
-    return fmt::format("{}", fmt::join(reasons, " or "));
-  }
-};
+program::Strictness strictness_of(const Choices& choices) {
+  return choices.strict_native ? program::Strictness::native
+         : choices.strict      ? program::Strictness::strict
+                               : program::Strictness::lax;
+}
 
 // All inputs as one document. `result` gets what they hold.
 Document joined_input(const Choices& choices, const program::Common& common, Json& result,
@@ -141,7 +119,7 @@ int print_information(const Choices& choices, const program::Common& common, con
                                                   {"kept_aside", Json::array()},
                                                   {"dangling", Json::array()}});
   if (!common.json.empty()) program::write_json(common.json, result);
-  const Refusal refusal(choices, document.dropped, lost, {}, {});
+  const program::Refusal refusal(strictness_of(choices), document.dropped, lost, {}, {});
   if (refusal.items() == 0) return program::sound;
   program::say(common, fmt::format("{}: {} {} ({})", fmt::join(choices.in, ", "),
                                    refusal.items() == 1 ? "something" : "several things", refusal.why(""),
@@ -204,7 +182,7 @@ int convert(Choices& choices, const program::Common& common) {
     const std::vector<Loss>& without_nodes = output.file->dangling();
     dangling.insert(dangling.end(), without_nodes.begin(), without_nodes.end());
   }
-  const Refusal refusal(choices, document.dropped, lost, kept, dangling);
+  const program::Refusal refusal(strictness_of(choices), document.dropped, lost, kept, dangling);
   const bool refused = refusal.items() > 0;
   for (Output& output : outputs)
     if (!refused) output.file->write();

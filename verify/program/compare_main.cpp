@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +17,7 @@
 #include "verify/compare_page.hpp"
 #include "verify/compare_traces.hpp"
 #include "verify/program/check_trace.hpp"
+#include "verify/program/compare_inputs.hpp"
 
 namespace {
 
@@ -36,40 +36,10 @@ struct Arguments {
   double tolerance = 1e-9;
 };
 
-// Decides by the ending, or else by the first character. Of a pipe and standard input nothing is known before
-// they are read.
-std::optional<bool> is_trace(const std::string& path) {
-  if (path == "-") return std::nullopt;
-  if (path.ends_with(".jsonl")) return true;
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status))
-    return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  char first = ' ';
-  file >> first;  // past blanks
-  return first == '{';
-}
-
-// The cells of a grid that a comparison of tetrahedra leaves out.
-Loss other_cells(const Document& document) {
-  Loss others{.item = "cells that are no tetrahedra", .count = 0, .example = "", .elements = true};
-  for (const ElementBlock& block : document.blocks) {
-    if (!has_other_cells(block)) continue;
-    if (others.count == 0) others.example = fmt::format("element {}", document.element_tag(block.first));
-    others.count += static_cast<std::int64_t>(block.count);
-  }
-  return others;
-}
-
 verify::NamedGrid load(const std::string& path, const program::Common& common) {
   const Document document = read_document(path);
   program::report_reading(common, document.warnings, document.dropped);
-  verify::NamedGrid grid{path, tet_mesh(document), numbering(document), document.dropped};
-  if (grid.mesh.tets.empty()) throw InputError(path + ": holds no tetrahedra");
-  if (const Loss others = other_cells(document); others.count > 0) grid.not_compared.push_back(others);
-  return grid;
+  return verify::named_grid(path, document);
 }
 
 // The reader of traces opens files only.
@@ -84,7 +54,8 @@ int work(const Arguments& arguments, const program::Common& common) {
   files.reads_mesh("OTHER", arguments.other);
   files.reads_mesh("REFERENCE", arguments.reference);
   files.writes("--html", arguments.html);
-  const std::optional<bool> other = is_trace(arguments.other), reference = is_trace(arguments.reference);
+  const std::optional<bool> other = verify::is_trace(arguments.other),
+                            reference = verify::is_trace(arguments.reference);
   const bool traces = reference.value_or(other.value_or(true));
   if (other.value_or(traces) != traces)
     throw InputError((traces ? arguments.reference : arguments.other) + " is a trace, and " +
