@@ -4,6 +4,8 @@
 
 #include <CGAL/version.h>
 
+#include <optional>
+
 #include "corpus/campaign/journal.hpp"
 #include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/shards.hpp"
@@ -93,9 +95,12 @@ CampaignResult run(const FuzzArguments& a, const program::Common& common) {
     if (done > 0) program::say(common, fmt::format("{} results are in the journal", done));
   };
   options.progress = [&](const CaseResult& result) { status.add(is_finding(result.outcome)); };
+  std::optional<program::Progress> shrinking;
   options.say = [&](const std::string& line) {
     status.clear();
+    shrinking.reset();
     program::say(common, line);
+    shrinking.emplace(common).enter("shrinking");
   };
   return run_campaign(meshers, options);
 }

@@ -7,8 +7,6 @@
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -103,51 +101,8 @@ int run(int argc, char** argv, const Description& description,
 
 void say(const Common& common, const std::string& line) {
   if (common.quiet) return;
+  if (common.progress) common.progress->hide();
   fmt::print(stderr, "{}\n", io::in_one_line(line));
-}
-
-Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
-    : shares_(std::move(shares)), start_(std::chrono::steady_clock::now()) {
-  if (!common.quiet && ::isatty(STDERR_FILENO)) line_ = std::thread([this] { show(); });
-}
-
-void Progress::enter(std::string_view phase) {
-  const std::lock_guard lock(mutex_);
-  phase_ = phase;
-  done_ = 0;
-  for (const auto& [name, share] : shares_) {
-    if (name == phase) break;
-    done_ += share;
-  }
-}
-
-void Progress::end() {
-  if (!line_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_one();
-  line_.join();
-}
-
-void Progress::show() {
-  using namespace std::chrono_literals;
-  bool shown = false;
-  std::unique_lock lock(mutex_);
-  while (!changed_.wait_for(lock, shown ? 250ms : 2000ms, [&] { return ended_; })) {
-    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    // Earlier, errors in the shares would make the estimate useless.
-    const std::string rest =
-        done_ >= 0.1 && done_ < 1 ? fmt::format(", about {:.0f} s left", so_far / done_ - so_far) : "";
-    fmt::print(stderr, "\r\x1b[K{}: {:.0f} s{}", phase_, so_far, rest);
-    std::fflush(stderr);
-    shown = true;
-  }
-  if (shown) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  }
 }
 
 void write_text(const std::string& path, const std::string& text) {

@@ -109,7 +109,8 @@ reference::Options options_of_trace(const std::string& path) {
   }
 }
 
-CheckedTrace check_trace(const std::string& path, const std::string& surface_given) {
+CheckedTrace check_trace(const std::string& path, const std::string& surface_given,
+                         const reference::Listener& listener) {
   CheckedTrace checked;
   const auto cannot = [&](std::string why) {
     checked.cannot = std::move(why);
@@ -129,7 +130,9 @@ CheckedTrace check_trace(const std::string& path, const std::string& surface_giv
     if (run.settings.parametric && !surface.evaluate)
       return cannot(
           fmt::format("it follows a parametric surface, and '{}' has no parametric definition", name));
-    const reference::Generation made = reference::generate(surface, options_of(run, path));
+    reference::Options options = options_of(run, path);
+    options.listener = listener;
+    const reference::Generation made = reference::generate(surface, options);
     checked.admissible = made.follow->admissible;
     checked.line = made.follow->line;
     checked.what = made.follow->what;

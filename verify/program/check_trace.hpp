@@ -12,8 +12,9 @@ namespace tetproof::verify {
 /// Replays the trace at `path` on the surface from which it was made, with the trace's own settings, and
 /// checks every decision. `surface`: a file or a generated surface; empty: the one that the trace names,
 /// which is looked for where the program runs and then beside the trace. Throws InputError for a file that is
-/// no trace, or that breaks off.
-CheckedTrace check_trace(const std::string& path, const std::string& surface);
+/// no trace, or that breaks off. `listener` hears how far the replay is.
+CheckedTrace check_trace(const std::string& path, const std::string& surface,
+                         const reference::Listener& listener = {});
 
 /// The options of the run that made the trace at `path`, with `follow` set to it. Throws InputError for a
 /// file that is no trace, and for one that asks for what no run can be asked for.
