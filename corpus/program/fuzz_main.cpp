@@ -18,6 +18,7 @@
 #include "corpus/program/status_line.hpp"
 #include "io/error.hpp"
 #include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
 #include "verify/report.hpp"
 
@@ -157,7 +158,8 @@ int main(int argc, char** argv) {
       "memory "
       "taken; 4: it refuses valid files too, or a kind of damage applied to none).",
       examples,
-      {"CGAL " CGAL_VERSION_STR}};
+      {"CGAL " CGAL_VERSION_STR},
+      {{"--check", verify::check_ids()}, {"--formats", program::format_list()}}};
   return program::run(argc, argv, description,
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {
                         auto arguments = std::make_shared<FuzzArguments>();

@@ -13,11 +13,13 @@
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/one_line.hpp"
 #include "io/error.hpp"
+#include "io/program/mesh_formats.hpp"
 
 namespace tetproof::program {
 namespace {
@@ -44,6 +46,24 @@ class ExamplesFirst : public CLI::Formatter {
   std::string examples_;
 };
 
+constexpr const char* closing =
+    "An output that is the same file as an input or as another output is refused.\n"
+    "Exit codes: 0 done and nothing is wrong, 1 something is wrong with what was judged, 2 bad input or\n"
+    "usage, 3 our own failure, 4 nothing wrong was found, but not everything could be judged.";
+
+// The page or the script that the arguments ask for, if they ask for one. They stand alone, so that no
+// argument that a program requires is missed.
+std::optional<std::string> asked_page(int argc, char** argv, const CLI::App& app,
+                                      const Description& description) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  Choices choices = description.choices;
+  choices.try_emplace("FORMAT", format_list());
+  if (argc == 2 && first == "--help-man")
+    return man_page(app, choices, description.purpose, description.examples, closing, TETPROOF_VERSION);
+  if (argc == 3 && first == "--completion") return completion(app, choices, argv[2]);
+  return {};
+}
+
 // CLI11 breaks long messages.
 std::string joined_lines(std::string text) {
   for (char& c : text)
@@ -60,10 +80,7 @@ int run(int argc, char** argv, const Description& description,
   try {
     CLI::App app{description.purpose, name};
     app.formatter(std::make_shared<ExamplesFirst>(description.examples));
-    app.footer(
-        "An output that is the same file as an input or as another output is refused.\n"
-        "Exit codes: 0 done and nothing is wrong, 1 something is wrong with what was judged, 2 bad input or\n"
-        "usage, 3 our own failure, 4 nothing wrong was found, but not everything could be judged.");
+    app.footer(closing);
     app.option_defaults()->always_capture_default();
     app.set_version_flag("--version", version(name, description),
                          "print this program's and its libraries' versions");
@@ -76,6 +93,10 @@ int run(int argc, char** argv, const Description& description,
     app.add_option("--threads", common.threads, "threads to use; 0: all")
         ->type_name("N")
         ->check(CLI::Range(0, 4096));
+    if (const std::optional<std::string> page = asked_page(argc, argv, app, description)) {
+      write_text("-", *page);
+      return sound;
+    }
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

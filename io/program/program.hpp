@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/program/arguments.hpp"
 #include "io/program/progress.hpp"
 
 namespace tetproof::program {
@@ -36,12 +37,14 @@ struct Description {
   std::string purpose;                 ///< one sentence
   std::string examples;                ///< shown first by --help
   std::vector<std::string> libraries;  ///< names and versions of libraries that not every program links
+  Choices choices{};  ///< for completion: values that no placeholder tells, see arguments.hpp
 };
 
 /// Runs a program. `declare` adds the program's own options to `app` and returns the program's work: a
 /// function that is called after the options are parsed and returns an exit code. `run` adds --quiet, --json,
-/// --threads, --version and --help. It turns exceptions into exit codes: InputError and usage errors into 2,
-/// all others into 3.
+/// --threads, --version and --help; and, as the only arguments, --help-man and --completion bash|zsh|fish,
+/// which print the manual page and a shell's completion for the installation. It turns exceptions into exit
+/// codes: InputError and usage errors into 2, all others into 3.
 int run(int argc, char** argv, const Description& description,
         const std::function<std::function<int()>(CLI::App& app, Common& common)>& declare);
 

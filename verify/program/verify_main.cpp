@@ -172,7 +172,10 @@ int main(int argc, char** argv) {
       "decided exactly, and does it fill the surface? Exit code 0: sound, 1: defective, 2: bad input, 3: own "
       "failure, 4: nothing wrong was found, but not everything could be judged.",
       examples,
-      {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING}};
+      {"CGAL " CGAL_VERSION_STR, "OpenVDB " OPENVDB_LIBRARY_VERSION_STRING},
+      {{"--check", verify::check_ids()},
+       {"--skip", verify::check_ids()},
+       {"--allow", {"crack", "non-conforming-interface"}}}};
   return program::run(
       argc, argv, description, [](CLI::App& app, program::Common& common) -> std::function<int()> {
         auto arguments = std::make_shared<Arguments>();
