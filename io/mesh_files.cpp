@@ -76,7 +76,9 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options) {
 }
 
 Document read_document(const std::string& path, const ReadOptions& options) {
-  return io::read_file(io::open_input(path), options, io::Wanted::document).document;
+  InputFile file = io::open_input(path);
+  file.report_to(options.progress);
+  return io::read_file(file, options, io::Wanted::document).document;
 }
 
 Document read_document_in_memory(std::string_view bytes, const ReadOptions& options,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/document.hpp"
+#include "io/progress.hpp"
 
 namespace tetproof {
 
@@ -58,6 +59,8 @@ Encoding encoding_of(const std::string& path, const WriteOptions& options);
 struct ReadOptions {
   /// A name of `formats()`, as `--from` takes it: it overrules content and ending. Empty: these two decide.
   std::string format;
+  /// Gets "reading" with the bytes done, of files whose readers copy piece by piece: all large ones.
+  ProgressListener progress{};
 };
 
 /// Reads .msh 1 to 3, 4.0 and 4.1 (text, and binary of both byte orders), TetGen's files (.node and .ele each

@@ -62,6 +62,8 @@ struct Listener {
   Recorder record;                              ///< gets every decision, as a record of the trace
   /// Gets the first grid, and the grid after each insertion and its flips. Only the fast engine calls it.
   std::function<void(const WeightedGrid&)> after_step;
+  /// Gets, after each insertion, how many are made, and how many are wanted: 0 if as many as lower E_avg.
+  std::function<void(std::int64_t done, std::int64_t wanted)> inserted;
 };
 
 /// Which of the two implementations makes the grid. `paper`: paper/, the paper's text by brute force, to be

@@ -72,6 +72,8 @@ struct CheckInfo {
 const CheckInfo& info(Check check);
 /// The check with this id; InputError when there is none.
 Check check_of_id(const std::string& id);
+/// The ids of all checks, in their order.
+std::vector<std::string> check_ids();
 
 enum class Verdict { pass, warning, fail, undecided, skipped };
 

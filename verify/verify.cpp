@@ -19,11 +19,15 @@
 namespace tetproof::verify {
 namespace {
 
-// Measures the wall time from one call of `done` to the next, and keeps the deadline.
+// Measures the wall time from one call of `done` to the next, keeps the deadline, and tells the listener what
+// begins.
 class Phases {
  public:
   Phases(const Options& options, Report& report)
-      : on_(options.timings), deadline_(options.deadline), report_(report) {}
+      : on_(options.timings), deadline_(options.deadline), progress_(options.progress), report_(report) {}
+  void begin(const char* phase) {
+    if (progress_) progress_(phase, 0, 0);
+  }
   void done(const char* phase) {
     keep(deadline_);
     const auto now = Clock::now();
@@ -35,6 +39,7 @@ class Phases {
   using Clock = std::chrono::steady_clock;
   bool on_;
   const Deadline& deadline_;
+  const ProgressListener& progress_;
   Report& report_;
   Clock::time_point last_ = Clock::now();
 };
@@ -103,6 +108,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   if (surface) report.notes = surface->report().notes;
   add_scope(options, report);
 
+  phases.begin("points");
   const PointEvidence points = examine_points(mesh, record);
   check_points(mesh, points, options.unjudged, record);
   phases.done("points");
@@ -112,6 +118,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
     beside.run(
         [&mesh, &points, &quality = report.quality] { quality = measure_quality(mesh, points.excluded); });
 
+  phases.begin("tetrahedra");
   const TetrahedraEvidence tetrahedra = examine_tetrahedra(mesh, points, record);
   check_tetrahedra(mesh, tetrahedra, record);
   const WholeMeshEvidence whole = examine_whole_mesh(mesh, points, tetrahedra, options, record);
@@ -121,6 +128,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
   cracks.closed.reset();  // a copy of the mesh; the pairs of faces are still needed
   phases.done("tetrahedra");
 
+  phases.begin("volume");
   const MeshVolumes volumes = mesh_volumes(mesh, boundary.boundary);
   report.mesh = shape_of_mesh(mesh, tetrahedra, boundary.boundary, volumes);
   report.volume.mesh = report.mesh.volume;
@@ -130,6 +138,7 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
       account.tag = options.region_tags[static_cast<std::size_t>(account.tag.tag)];
   phases.done("volume");
 
+  phases.begin("boundary");
   const UnjudgedPlaces unjudged(mesh, boundary.boundary, options);
   ContactEvidence contacts = examine_contacts(mesh, boundary.boundary, record);
   examine_interfaces(mesh, points, tetrahedra, cracks, boundary.boundary, contacts, record);
@@ -147,12 +156,16 @@ Report judge_mesh(const TetMesh& mesh, const JudgedSurface* surface, const Optio
                           record);
     phases.done("against the surface");
   }
+  if (options.quality) phases.begin("quality");
   beside.wait();
   if (options.quality) phases.done("quality");
+  phases.begin("findings");
   check_whole_mesh(mesh, points, tetrahedra, whole, record);
   record.settle(mesh, options);
   phases.done("findings");
-  if (const auto mended = mend(mesh, points, whole, options, record)) {
+  if (auto mended = mend(mesh, points, whole, options, record)) {
+    phases.begin("without the faults of the whole mesh");
+    mended->options.progress = {};  // its stages would seem to be the mesh's again
     report.if_mended = judge_mended(*mended, surface);
     phases.done("without the faults of the whole mesh");
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/document.hpp"
+#include "io/progress.hpp"
 #include "io/tet_mesh.hpp"
 #include "io/triangle_surface.hpp"
 #include "verify/deadline.hpp"
@@ -79,6 +80,7 @@ struct Options {
   bool quality = true;   ///< measure angles and aspect ratios
   /// `verify` throws OutOfTime soon after: it looks between its stages and while it measures distances.
   Deadline deadline{};
+  ProgressListener progress{};  ///< gets the stages of the judgement as they begin
 };
 
 /// Judges the mesh as it is written: nothing is re-wound, merged or repaired. All decisions are exact, and

@@ -4,6 +4,8 @@
 
 #include <CGAL/version.h>
 
+#include <optional>
+
 #include "corpus/campaign/journal.hpp"
 #include "corpus/campaign/known_groups.hpp"
 #include "corpus/campaign/shards.hpp"
@@ -17,6 +19,7 @@
 #include "corpus/program/status_line.hpp"
 #include "io/error.hpp"
 #include "io/program/files_in_use.hpp"
+#include "io/program/mesh_formats.hpp"
 #include "io/program/program.hpp"
 #include "verify/report.hpp"
 
@@ -99,9 +102,12 @@ CampaignResult run(const FuzzArguments& a, const program::Common& common) {
     if (done > 0) program::say(common, fmt::format("{} results are in the journal", done));
   };
   options.progress = [&](const CaseResult& result) { status.add(is_finding(result.outcome)); };
+  std::optional<program::Progress> shrinking;
   options.say = [&](const std::string& line) {
     status.clear();
+    shrinking.reset();
     program::say(common, line);
+    shrinking.emplace(common).enter("shrinking");
   };
   return run_campaign(meshers, options);
 }
@@ -159,7 +165,8 @@ int main(int argc, char** argv) {
       "memory "
       "taken; 4: it refuses valid files too, or a kind of damage applied to none).",
       examples,
-      {"CGAL " CGAL_VERSION_STR}};
+      {"CGAL " CGAL_VERSION_STR},
+      {{"--check", verify::check_ids()}, {"--formats", program::format_list()}}};
   return program::run(argc, argv, description,
                       [](CLI::App& app, program::Common& common) -> std::function<int()> {
                         auto arguments = std::make_shared<FuzzArguments>();

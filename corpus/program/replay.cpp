@@ -115,7 +115,13 @@ int replay(const FuzzArguments& a, const program::Common& common) {
     head += "\nfiles: " + scratch;
   }
   Replay runs(found, *judged, scratch);
-  for (const ChosenMesher& one : found.meshers) runs.run(*one.mesher);
+  {
+    program::Progress progress(common);
+    for (const ChosenMesher& one : found.meshers) {
+      progress.enter(one.mesher->name());
+      runs.run(*one.mesher);
+    }
+  }
   if (!common.json.empty())
     program::write_json(common.json,
                         {{"seed", found.options.seed}, {"case", found.index}, {"runs", runs.json}});

@@ -26,10 +26,8 @@ class StatusLine {
  private:
   std::uint64_t cases_, skipped_ = 0, done_ = 0, findings_ = 0;
   std::chrono::steady_clock::time_point start_, last_;
+  double quiet_s_;
   bool terminal_, shown_ = false;
 };
-
-/// "42 s", "7 min", "3.2 h": about so long.
-std::string duration_text(double seconds);
 
 }  // namespace tetproof::corpus

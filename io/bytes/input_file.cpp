@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -75,6 +76,10 @@ InputFile::~InputFile() {
 }
 
 void InputFile::copy(std::size_t offset, std::size_t size, char* to) const {
+  if (listener_) {  // what is copied twice counts twice, and all is never more than all
+    const std::uint64_t all = bytes_.size();
+    listener_("reading", std::min<std::uint64_t>(copied_ += size, all), all);
+  }
   if (file_ < 0) {
     std::memcpy(to, bytes_.data() + offset, size);
     return;

@@ -2,9 +2,13 @@
 // An input file in memory: mapped, or read from a pipe.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "io/progress.hpp"
 
 namespace tetproof {
 
@@ -28,6 +32,8 @@ class InputFile {
   std::string_view bytes() const { return bytes_; }
   /// Copies bytes of the file into memory. Several threads may do so at once.
   void copy(std::size_t offset, std::size_t size, char* to) const;
+  /// From now on `copy` reports to `listener`, as the stage "reading", how many bytes it has copied of all.
+  void report_to(ProgressListener listener) { listener_ = std::move(listener); }
   /// Whether `copy` reads from the file and not from a copy in memory.
   bool in_file() const { return file_ >= 0; }
 
@@ -40,6 +46,8 @@ class InputFile {
   std::string path_, copy_;
   std::string_view bytes_;
   void* map_ = nullptr;
+  ProgressListener listener_;
+  mutable std::atomic<std::uint64_t> copied_ = 0;
   int file_ = -1;
   bool named_ = true;
 };

@@ -33,7 +33,8 @@ bool is_surface_file(const std::string& path) {
 }
 
 SurfaceFile read_surface_file(const std::string& path, const ReadOptions& options) {
-  const InputFile file = io::open_input(path);
+  InputFile file = io::open_input(path);
+  file.report_to(options.progress);
   io::ReadDocument read = io::read_file(file, options, io::Wanted::surface);
   std::vector<std::string> warnings = std::move(read.document.warnings);
   std::vector<Loss> dropped = std::move(read.document.dropped);

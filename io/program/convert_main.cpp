@@ -66,10 +66,11 @@ program::Strictness strictness_of(const Choices& choices) {
 }
 
 // All inputs as one document. `result` gets what they hold.
-Document joined_input(const Choices& choices, const program::Common& common, Json& result,
-                      std::vector<program::DoneEdit>& done) {
+Document joined_input(const Choices& choices, const program::Common& common, program::Progress& progress,
+                      Json& result, std::vector<program::DoneEdit>& done) {
   Document document;
   for (std::size_t i = 0; i < choices.in.size(); ++i) {
+    progress.enter(choices.in.size() == 1 ? "reading" : "reading " + choices.in[i]);
     Document next = input(choices.in[i], choices.read);
     program::report_reading(common, next.warnings, next.dropped);
     if (choices.in.size() > 1) result["inputs"].push_back(describe_json(next));
@@ -141,12 +142,19 @@ int convert(Choices& choices, const program::Common& common) {
 
   Json result;
   std::vector<program::DoneEdit> done;
-  Document document = joined_input(choices, common, result, done);
+  program::Progress progress(common,
+                             {{"reading", 0.35}, {"editing", 0}, {"planning", 0.1}, {"writing", 0.55}});
+  choices.read.progress = progress.part_listener();
+  Document document = joined_input(choices, common, progress, result, done);
   result["dropped"] = program::losses_json(document.dropped);
+  progress.enter("editing");
   for (program::DoneEdit& edit : program::apply_edits(common, choices.edits, document))
     done.push_back(std::move(edit));
-  if (choices.info)
+  if (choices.info) {
+    progress.end();
     return print_information(choices, common, document, done, !files.standard_output_is_taken(), result);
+  }
+  progress.enter("planning");
 
   std::vector<io::GroupPart> parts;
   std::vector<Output> outputs;
@@ -184,8 +192,10 @@ int convert(Choices& choices, const program::Common& common) {
   }
   const program::Refusal refusal(strictness_of(choices), document.dropped, lost, kept, dangling);
   const bool refused = refusal.items() > 0;
+  progress.enter("writing");
   for (Output& output : outputs)
     if (!refused) output.file->write();
+  progress.end();
   if (!done.empty()) result["edits"] = program::edits_json(done);
   if (choices.edits.split_by_group)
     for (Output& output : outputs) result["outputs"].push_back(output_json(output, !refused));

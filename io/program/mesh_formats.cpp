@@ -69,10 +69,14 @@ std::string endings_read() {
                      fmt::join(beside, " "), fmt::join(io::gmsh_endings(), " "));
 }
 
-std::string format_names() {
+std::vector<std::string> format_list() {
   std::vector<std::string> names;
   for (const Format& format : formats()) names.push_back(format.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
+}
+
+std::string format_names() {
+  return fmt::format("{}", fmt::join(format_list(), ", "));
 }
 
 }  // namespace tetproof::program

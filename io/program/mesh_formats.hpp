@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/mesh_files.hpp"
 
@@ -18,6 +19,8 @@ std::string grid_endings_written();
 std::string grid_endings_read();
 /// For --help: all endings that are read, by our readers and through Gmsh.
 std::string endings_read();
+/// The names of all formats.
+std::vector<std::string> format_list();
 /// For --help: the names of all formats, as `--from` and `--to` take them.
 std::string format_names();
 

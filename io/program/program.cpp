@@ -7,19 +7,19 @@
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "io/bytes/atomic_file.hpp"
 #include "io/bytes/one_line.hpp"
 #include "io/error.hpp"
+#include "io/program/mesh_formats.hpp"
 
 namespace tetproof::program {
 namespace {
@@ -46,6 +46,24 @@ class ExamplesFirst : public CLI::Formatter {
   std::string examples_;
 };
 
+constexpr const char* closing =
+    "An output that is the same file as an input or as another output is refused.\n"
+    "Exit codes: 0 done and nothing is wrong, 1 something is wrong with what was judged, 2 bad input or\n"
+    "usage, 3 our own failure, 4 nothing wrong was found, but not everything could be judged.";
+
+// The page or the script that the arguments ask for, if they ask for one. They stand alone, so that no
+// argument that a program requires is missed.
+std::optional<std::string> asked_page(int argc, char** argv, const CLI::App& app,
+                                      const Description& description) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  Choices choices = description.choices;
+  choices.try_emplace("FORMAT", format_list());
+  if (argc == 2 && first == "--help-man")
+    return man_page(app, choices, description.purpose, description.examples, closing, TETPROOF_VERSION);
+  if (argc == 3 && first == "--completion") return completion(app, choices, argv[2]);
+  return {};
+}
+
 // CLI11 breaks long messages.
 std::string joined_lines(std::string text) {
   for (char& c : text)
@@ -62,10 +80,7 @@ int run(int argc, char** argv, const Description& description,
   try {
     CLI::App app{description.purpose, name};
     app.formatter(std::make_shared<ExamplesFirst>(description.examples));
-    app.footer(
-        "An output that is the same file as an input or as another output is refused.\n"
-        "Exit codes: 0 done and nothing is wrong, 1 something is wrong with what was judged, 2 bad input or\n"
-        "usage, 3 our own failure, 4 nothing wrong was found, but not everything could be judged.");
+    app.footer(closing);
     app.option_defaults()->always_capture_default();
     app.set_version_flag("--version", version(name, description),
                          "print this program's and its libraries' versions");
@@ -78,6 +93,10 @@ int run(int argc, char** argv, const Description& description,
     app.add_option("--threads", common.threads, "threads to use; 0: all")
         ->type_name("N")
         ->check(CLI::Range(0, 4096));
+    if (const std::optional<std::string> page = asked_page(argc, argv, app, description)) {
+      write_text("-", *page);
+      return sound;
+    }
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -103,51 +122,8 @@ int run(int argc, char** argv, const Description& description,
 
 void say(const Common& common, const std::string& line) {
   if (common.quiet) return;
+  if (common.progress) common.progress->hide();
   fmt::print(stderr, "{}\n", io::in_one_line(line));
-}
-
-Progress::Progress(const Common& common, std::vector<std::pair<std::string, double>> shares)
-    : shares_(std::move(shares)), start_(std::chrono::steady_clock::now()) {
-  if (!common.quiet && ::isatty(STDERR_FILENO)) line_ = std::thread([this] { show(); });
-}
-
-void Progress::enter(std::string_view phase) {
-  const std::lock_guard lock(mutex_);
-  phase_ = phase;
-  done_ = 0;
-  for (const auto& [name, share] : shares_) {
-    if (name == phase) break;
-    done_ += share;
-  }
-}
-
-void Progress::end() {
-  if (!line_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_one();
-  line_.join();
-}
-
-void Progress::show() {
-  using namespace std::chrono_literals;
-  bool shown = false;
-  std::unique_lock lock(mutex_);
-  while (!changed_.wait_for(lock, shown ? 250ms : 2000ms, [&] { return ended_; })) {
-    const double so_far = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    // Earlier, errors in the shares would make the estimate useless.
-    const std::string rest =
-        done_ >= 0.1 && done_ < 1 ? fmt::format(", about {:.0f} s left", so_far / done_ - so_far) : "";
-    fmt::print(stderr, "\r\x1b[K{}: {:.0f} s{}", phase_, so_far, rest);
-    std::fflush(stderr);
-    shown = true;
-  }
-  if (shown) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-  }
 }
 
 void write_text(const std::string& path, const std::string& text) {

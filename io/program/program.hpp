@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a program: common options, exit codes, errors in one line, threads, progress, output of text and JSON.
+// Runs a program: common options, exit codes, errors in one line, threads, output of text and JSON.
 // Not installed: the libraries do not know about programs.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
-#include <thread>
-#include <utility>
 #include <vector>
+
+#include "io/program/arguments.hpp"
+#include "io/program/progress.hpp"
 
 namespace tetproof::program {
 
@@ -31,6 +28,8 @@ struct Common {
   bool quiet = false;
   std::string json;  ///< a file, "-" for standard output, empty for none
   int threads = 0;   ///< 0: all
+  /// The line of progress on the terminal, which `say` has to remove first; null: there is none.
+  mutable Progress* progress = nullptr;
 };
 
 /// The texts of --help and --version that differ from program to program.
@@ -38,44 +37,20 @@ struct Description {
   std::string purpose;                 ///< one sentence
   std::string examples;                ///< shown first by --help
   std::vector<std::string> libraries;  ///< names and versions of libraries that not every program links
+  Choices choices{};  ///< for completion: values that no placeholder tells, see arguments.hpp
 };
 
 /// Runs a program. `declare` adds the program's own options to `app` and returns the program's work: a
 /// function that is called after the options are parsed and returns an exit code. `run` adds --quiet, --json,
-/// --threads, --version and --help. It turns exceptions into exit codes: InputError and usage errors into 2,
-/// all others into 3.
+/// --threads, --version and --help; and, as the only arguments, --help-man and --completion bash|zsh|fish,
+/// which print the manual page and a shell's completion for the installation. It turns exceptions into exit
+/// codes: InputError and usage errors into 2, all others into 3.
 int run(int argc, char** argv, const Description& description,
         const std::function<std::function<int()>(CLI::App& app, Common& common)>& declare);
 
 /// Writes a line to standard error, unless --quiet. Control characters, which names from files can bring, are
 /// shown as "\x1B" and the like.
 void say(const Common& common, const std::string& line);
-
-/// Shows a line on the terminal when work takes longer than two seconds: the phase, the time so far and an
-/// estimate of the rest. Shows nothing if standard error is not a terminal, or with --quiet.
-class Progress {
- public:
-  /// `shares`: the phases in their order, each with its typical share of the whole time.
-  Progress(const Common& common, std::vector<std::pair<std::string, double>> shares);
-  ~Progress() { end(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void enter(std::string_view phase);
-  void end();  ///< removes the line
-
- private:
-  void show();
-
-  std::vector<std::pair<std::string, double>> shares_;
-  std::chrono::steady_clock::time_point start_;
-  std::string phase_;
-  double done_ = 0;  ///< the shares of the earlier phases, added up
-  bool ended_ = false;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::thread line_;
-};
 
 /// Writes `text` to `path` whole or not at all; "-" is standard output. Throws an InputError if it cannot be
 /// written.

@@ -201,9 +201,15 @@ int mesh(const Arguments& a, const program::Common& common) {
     progress.enter(phase);
   };
   options.listener.phase = enter;
+  if (program::shows_progress(common))
+    options.listener.inserted = [&](std::int64_t made, std::int64_t wanted) {
+      progress.at(static_cast<std::uint64_t>(made), static_cast<std::uint64_t>(wanted));
+    };
+  ReadOptions read = a.read;
+  read.progress = progress.part_listener();
 
   enter("reading");
-  SurfaceFile file = corpus::open_surface_file(a.surface, a.read);
+  SurfaceFile file = corpus::open_surface_file(a.surface, read);
   program::report_reading(common, file.warnings, file.dropped);
   TriangleSurface surface = used_part(std::move(file.surface), file.numbering, a, common);
   const std::size_t triangles_read = surface.triangles.size();

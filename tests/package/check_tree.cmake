@@ -1,5 +1,5 @@
 # The installed tree holds what README promises.
-# usage: cmake -DPREFIX=DIR [-DPYTHON=INTERPRETER] -P check_tree.cmake
+# usage: cmake -DPREFIX=DIR -DPAGES=ON|OFF [-DPYTHON=INTERPRETER] -P check_tree.cmake
 function(expect what)   # one of the patterns matches a file
   foreach(pattern ${ARGN})
     file(GLOB found "${PREFIX}/${pattern}")
@@ -10,8 +10,14 @@ function(expect what)   # one of the patterns matches a file
   message(SEND_ERROR "${what} is not installed: nothing at ${ARGN} under ${PREFIX}")
 endfunction()
 
-foreach(program tetproof-mesh tetproof-verify tetproof-compare tetproof-convert)
+foreach(program tetproof-mesh tetproof-verify tetproof-compare tetproof-convert tetproof-fuzz)
   expect("the program ${program}" bin/${program})
+  if(PAGES)   # the programs were run
+    expect("the manual page of ${program}" share/man/man1/${program}.1)
+    expect("its completion for bash" share/bash-completion/completions/${program})
+    expect("its completion for zsh" share/zsh/site-functions/_${program})
+    expect("its completion for fish" share/fish/vendor_completions.d/${program}.fish)
+  endif()
 endforeach()
 expect("the program that reads through Gmsh" libexec/tetproof/tetproof-gmsh-import)
 foreach(folder io reference verify corpus)

@@ -241,7 +241,8 @@ TEST(Mesh, ATerminalSeesProgressAndAnEstimate) {
   const ScratchFolder folder;
   const std::string command =
       program("tetproof-mesh") + " sphere -o " + (folder / "g.msh") + " --binary --cells 150 --points 0";
-  const Outcome shown = run_program({"script", "-qec", command, "/dev/null"}, {.timeout_s = 600});
+  const Outcome shown = run_program({"script", "-qec", command, "/dev/null"},
+                                    {.timeout_s = 600, .environment = {"TERM=xterm"}});
   EXPECT_EQ(shown.exit_code, 0) << shown;
   if (shown.seconds < 4) GTEST_SKIP() << "done in " << shown.seconds << " s: too fast for a progress line";
   EXPECT_THAT(shown.out, testing::ContainsRegex("[a-z]+: [0-9]+ s, about [0-9]+ s left"));

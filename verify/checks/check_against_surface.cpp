@@ -237,7 +237,12 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
   if (options.voxels == 0)
     record.leave_out({Check::missing_region, Check::excess_region, Check::volume_voxel},
                      "no voxels are asked for");
+  const auto begin = [&](const char* stage) {
+    if (options.progress) options.progress(stage, 0, 0);
+  };
+  begin("voxels");
   const VoxelEvidence voxels = examine_voxels(surface, options, record);
+  begin("distances");
   const Comparison comparison(mesh, surface, own);
   check_bounding_box(comparison, record);
   leave_faces_at_unjudged(comparison, record);
@@ -247,6 +252,7 @@ void check_against_surface(const JudgedMesh& mesh, const JudgedSurface& surface,
     const DistanceEvidence distances = measure_distances(comparison, record);
     check_distances(comparison, distances, record);
     check_normals(comparison, distances, record);
+    begin("missing and excess regions");
     regions = check_regions(comparison, distances, own, voxels.voxels.get(), record);
   } else {
     constexpr const char* why = "doubles cannot measure the box of mesh and surface";

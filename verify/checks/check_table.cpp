@@ -63,6 +63,12 @@ const CheckInfo& info(Check check) {
   return table[static_cast<std::size_t>(check)];
 }
 
+std::vector<std::string> check_ids() {
+  std::vector<std::string> ids;
+  for (const CheckInfo& row : table) ids.emplace_back(row.id);
+  return ids;
+}
+
 Check check_of_id(const std::string& id) {
   for (const CheckInfo& row : table)
     if (row.id == id) return row.check;

@@ -122,7 +122,8 @@ std::optional<TriangleSurface> surface_of_trace(const std::string& path, const s
   return std::nullopt;
 }
 
-CheckedTrace check_trace(const std::string& path, const std::string& surface_given) {
+CheckedTrace check_trace(const std::string& path, const std::string& surface_given,
+                         const reference::Listener& listener) {
   CheckedTrace checked;
   const auto cannot = [&](std::string why) {
     checked.cannot = std::move(why);
@@ -142,7 +143,9 @@ CheckedTrace check_trace(const std::string& path, const std::string& surface_giv
     if (run.settings.parametric && !surface.evaluate)
       return cannot(
           fmt::format("it follows a parametric surface, and '{}' has no parametric definition", name));
-    const reference::Generation made = reference::generate(surface, options_of(run, path));
+    reference::Options options = options_of(run, path);
+    options.listener = listener;
+    const reference::Generation made = reference::generate(surface, options);
     checked.admissible = made.follow->admissible;
     checked.line = made.follow->line;
     checked.what = made.follow->what;

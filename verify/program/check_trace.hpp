@@ -14,8 +14,9 @@ namespace tetproof::verify {
 /// Replays the trace at `path` on the surface from which it was made, with the trace's own settings, and
 /// checks every decision. `surface`: a file or a generated surface; empty: the one that the trace names,
 /// which is looked for where the program runs and then beside the trace. Throws InputError for a file that is
-/// no trace, or that breaks off.
-CheckedTrace check_trace(const std::string& path, const std::string& surface);
+/// no trace, or that breaks off. `listener` hears how far the replay is.
+CheckedTrace check_trace(const std::string& path, const std::string& surface,
+                         const reference::Listener& listener = {});
 
 /// The surface from which the trace was made, as `check_trace` finds it; none if it is not found, or if
 /// `path` is no file that can be read twice. Throws InputError for a surface that cannot be read.

@@ -36,8 +36,9 @@ struct Arguments {
   double tolerance = 1e-9;
 };
 
-verify::NamedGrid load(const std::string& path, const program::Common& common) {
-  const Document document = read_document(path);
+verify::NamedGrid load(const std::string& path, const program::Common& common, program::Progress& progress) {
+  progress.enter("reading " + path);
+  const Document document = read_document(path, {.progress = progress.part_listener()});
   program::report_reading(common, document.warnings, document.dropped);
   return verify::named_grid(path, document);
 }
@@ -66,8 +67,13 @@ int work(const Arguments& arguments, const program::Common& common) {
     if (!files.standard_output_is_taken()) program::write_text("-", verify::comparison_text(result));
   };
   if (traces) {
-    program::Progress progress(common, {{"comparing", 1}});
+    program::Progress progress(common);
     progress.enter("comparing");
+    reference::Listener listener;
+    if (program::shows_progress(common))
+      listener.inserted = [&](std::int64_t made, std::int64_t wanted) {
+        progress.at(static_cast<std::uint64_t>(made), static_cast<std::uint64_t>(wanted));
+      };
     const verify::TraceComparison result =
         verify::compare_traces(of_trace(arguments.other), of_trace(arguments.reference), arguments.tolerance,
                                [&](const std::string& path) -> verify::CheckedTrace {
@@ -75,7 +81,8 @@ int work(const Arguments& arguments, const program::Common& common) {
                                    return {.cannot = "standard input can be read only once"};
                                  if (!std::filesystem::is_regular_file(path))
                                    return {.cannot = "a pipe can be read only once"};
-                                 return verify::check_trace(path, arguments.surface);
+                                 progress.enter("replaying " + path);
+                                 return verify::check_trace(path, arguments.surface, listener);
                                });
     progress.end();
     report(result);
@@ -91,10 +98,11 @@ int work(const Arguments& arguments, const program::Common& common) {
     return result.verdict == Verdict::unresolved || !result.not_compared.empty() ? program::incomplete
                                                                                  : program::sound;
   }
-  program::Progress progress(common, {{"reading", 0.7}, {"comparing", 0.3}});
-  progress.enter("reading");
-  const verify::NamedGrid reference_grid = load(arguments.reference, common),
-                          other_grid = load(arguments.other, common);
+  program::Progress progress(
+      common,
+      {{"reading " + arguments.reference, 0.2}, {"reading " + arguments.other, 0.2}, {"comparing", 0.6}});
+  const verify::NamedGrid reference_grid = load(arguments.reference, common, progress),
+                          other_grid = load(arguments.other, common, progress);
   progress.enter("comparing");
   const verify::GridComparison result =
       verify::compare_grids(other_grid, reference_grid, arguments.tolerance);

@@ -163,6 +163,8 @@ void Insertion::end_step() {
 #endif
   if (options_.check_every_step) check_invariants(*grid_);
   if (listener_.after_step) listener_.after_step(*grid_);
+  if (listener_.inserted)
+    listener_.inserted(result_.insertions, options_.points == AdaptOptions::automatic ? 0 : options_.points);
 }
 
 Adaptation Insertion::finish(Stop stop) {
