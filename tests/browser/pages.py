@@ -37,7 +37,7 @@ NASTY = "a'b\"><script>hacked=1<!--<script><img src=x onerror=hacked=1>&amp;"
 def browser(chromium, driver, webgl=True):
     options = Options()
     options.binary_location = chromium
-    for argument in ("--headless=new", "--no-sandbox", "--window-size=1300,1000", "--hide-scrollbars"):
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1300,1000", "--hide-scrollbars"):
         options.add_argument(argument)
     for argument in ("--use-angle=swiftshader", "--enable-unsafe-swiftshader") if webgl else ("--disable-gpu", "--disable-3d-apis"):
         options.add_argument(argument)

@@ -17,9 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the scene before it is written as base64, which makes 18 MB of it. The page's scripts and tables have
-// the rest of 20 MB.
-constexpr std::size_t most_bytes = 13'500'000;
 constexpr std::size_t point_bytes = 24, triangle_bytes = 16, face_bytes = 8;
 constexpr std::size_t most_faces = 300'000;      // of a boundary that is drawn as it is
 constexpr std::size_t most_triangles = 150'000;  // of a boundary that is drawn by fewer
@@ -94,13 +91,12 @@ bool DrawnMesh::usable(Index v) const {
          mesh_.points[static_cast<std::size_t>(v)].allFinite();
 }
 
-void DrawnMesh::choose(std::size_t other_bytes) {
+void DrawnMesh::choose(std::size_t most_bytes) {
   const auto drawable =
       static_cast<std::size_t>(std::count(undrawable_.begin(), undrawable_.end(), std::uint8_t{0}));
   const std::size_t points = std::min(mesh_.points.size(), 4 * drawable);
   if (faces_.size() <= most_faces &&
-      drawable * tet_bytes() + points * point_bytes + faces_.size() * face_bytes + other_bytes <=
-          most_bytes) {
+      drawable * tet_bytes() + points * point_bytes + faces_.size() * face_bytes <= most_bytes) {
     // The points in their order, so that their numbers count up and take no space.
     std::vector<std::uint8_t> used(mesh_.points.size(), 0);
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
@@ -111,14 +107,15 @@ void DrawnMesh::choose(std::size_t other_bytes) {
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
       if (!undrawable_[t]) tet(static_cast<Index>(t));
   } else {
-    fewer_ = io::reduced(mesh_.points, triangles_, most_triangles);
-    hold_middle(other_bytes + fewer_.triangles.size() * (triangle_bytes + tet_bytes() + point_bytes));
+    const std::size_t each = triangle_bytes + tet_bytes() + point_bytes;  // a triangle, and what it brings
+    fewer_ = io::reduced(mesh_.points, triangles_, std::min(most_triangles, most_bytes / 2 / each));
+    hold_middle(most_bytes - std::min(most_bytes, fewer_.triangles.size() * each));
   }
   scene_.cut_tets = scene_.tets.size();
 }
 
 // Holds the tetrahedra that planes through the middle of the box meet, for as many axes as fit.
-void DrawnMesh::hold_middle(std::size_t rest) {
+void DrawnMesh::hold_middle(std::size_t most_bytes) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const auto& triangle : triangles_)
     for (const Index v : triangle) {
@@ -142,7 +139,7 @@ void DrawnMesh::hold_middle(std::size_t rest) {
       if (least <= scene_.cut_middle[axis] && most >= scene_.cut_middle[axis]) more.push_back(t);
     }
     // A layer of tetrahedra has fewer points than tetrahedra.
-    if ((count + more.size()) * (tet_bytes() + point_bytes) + rest > most_bytes) continue;
+    if ((count + more.size()) * (tet_bytes() + point_bytes) > most_bytes) continue;
     for (const std::size_t t : more) met[t] = 1;
     count += more.size();
     scene_.cut_axes += "xyz"[axis];

@@ -24,10 +24,10 @@ class DrawnMesh {
   /// Whether the tetrahedron has four different usable points.
   bool drawable(Index t) const { return !undrawable_[static_cast<std::size_t>(t)]; }
 
-  /// Chooses what the page holds besides `other_bytes`: all tetrahedra if they fit; else those that planes
-  /// through the middle meet, and the boundary by fewer triangles. To be called before `point` and `tet`, so
-  /// that the tetrahedra that can be cut come first.
-  void choose(std::size_t other_bytes);
+  /// Chooses what the page holds: all tetrahedra if they fit into `most_bytes`, before base64; else those
+  /// that planes through the middle meet, and the boundary by fewer triangles. To be called before `point`
+  /// and `tet`, so that the tetrahedra that can be cut come first.
+  void choose(std::size_t most_bytes);
 
   /// The position in the scene of a usable point and of a drawable tetrahedron, which are added when first
   /// asked for.
@@ -39,7 +39,7 @@ class DrawnMesh {
 
  private:
   std::size_t tet_bytes() const { return subject_.regions.empty() ? 12 : 16; }
-  void hold_middle(std::size_t rest);
+  void hold_middle(std::size_t most_bytes);
 
   const PageSubject& subject_;
   const TetMesh& mesh_;

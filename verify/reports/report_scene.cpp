@@ -38,7 +38,7 @@ class Builder {
         mesh_(subject.mesh),
         drawn_(subject, result_.scene, result_.left_out) {}
 
-  ReportScene build() {
+  ReportScene build(std::size_t most_bytes) {
     for (const Vector3d& p : mesh_.points)
       if (p.allFinite()) box_.add(p);
     find_named();
@@ -46,8 +46,9 @@ class Builder {
         subject_.surface ? std::min(most_surface, subject_.surface->triangles.size()) : 0;
     std::size_t findings = 0;
     for_each_finding([&](const CheckResult&, const Finding&) { ++findings; });
-    drawn_.choose(surface * 28 + named_.size() * 32 + std::min(6 * ring_.size(), most_ring_edges) * 8 +
-                  findings * 600);
+    const std::size_t others =
+        surface * 28 + named_.size() * 32 + std::min(6 * ring_.size(), most_ring_edges) * 8 + findings * 600;
+    drawn_.choose(most_bytes - std::min(most_bytes, others));
     result_.scene.layers.push_back(drawn_.boundary(report_.fidelity && subject_.surface));
     if (!named_.empty()) result_.scene.layers.back().opacity = 0.3;
     add_surface();
@@ -241,8 +242,8 @@ class Builder {
 
 }  // namespace
 
-ReportScene report_scene(const Report& report, const PageSubject& subject) {
-  return Builder(report, subject).build();
+ReportScene report_scene(const Report& report, const PageSubject& subject, std::size_t most_bytes) {
+  return Builder(report, subject).build(most_bytes);
 }
 
 }  // namespace tetproof::verify

@@ -18,6 +18,11 @@ struct ReportScene {
   std::vector<std::string> left_out;  ///< a sentence for each thing that the view does not show
 };
 
-ReportScene report_scene(const Report& report, const PageSubject& subject);
+/// So many bytes make 18 MB of base64. The page's scripts and tables have the rest of 20 MB.
+inline constexpr std::size_t most_scene_bytes = 13'500'000;
+
+/// `most_bytes`: of the scene, before it is written as base64. Only what findings name may go beyond.
+ReportScene report_scene(const Report& report, const PageSubject& subject,
+                         std::size_t most_bytes = most_scene_bytes);
 
 }  // namespace tetproof::verify
