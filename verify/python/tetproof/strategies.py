@@ -28,7 +28,7 @@ from ._surfaces import Surface, fuzz, generate
 # the surface as it is, so that random cases keep their difficulty; the smallest values take a simpler
 # surface, the smallest of all the most drastically simpler one. Hypothesis shrinks by trying smaller values.
 # It also makes new examples by repeating parts of earlier ones: with many bits and few steps most of these
-# are new surfaces (two thirds of 200 examples; a quarter, if the case were one number).
+# are new surfaces (about half of 200 examples; a fifth, if the case were one number).
 _BITS = 24
 _STEPS = 16
 _CHOICES = 64
