@@ -175,6 +175,10 @@ TEST(CFuzz, JudgesDamagedArrays) {
     if (!report) continue;
     EXPECT_EQ(json_of(report)[0], '{');
     EXPECT_NE(tetproof_report_records(report.get())->check_count, 0);
+    expect_sane<tetproof_document>(fuzz, seen, [&](auto** out, auto* error) {
+      return tetproof_report_defects(report.get(), fuzz.given(&arrays.points), fuzz.given(&arrays.tets), out,
+                                     error);
+    });
     expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
       return tetproof_report_junit(report.get(), fuzz.text("mesh").c_str(), out, error);
     });

@@ -56,6 +56,11 @@ int main(void) {
   EXPECT(tetproof_report_records(again)->verdict == TETPROOF_SOUND);
   EXPECT(tetproof_report_json(report, &text, NULL) == TETPROOF_OK && text[0] == '{');
   tetproof_text_free(text);
+  tetproof_document* defects = NULL;
+  EXPECT(tetproof_report_defects(report, &points, &tets, &defects, &error) == TETPROOF_OK);
+  tetproof_document_free(defects);
+  EXPECT(tetproof_report_document_defects(again, grid, &defects, &error) == TETPROOF_OK);
+  tetproof_document_free(defects);
   EXPECT(tetproof_report_text(report, &text, NULL) == TETPROOF_OK);
   tetproof_text_free(text);
   EXPECT(tetproof_report_junit(report, "mesh", &text, NULL) == TETPROOF_OK && text[0] == '<');
@@ -100,6 +105,8 @@ int main(void) {
   EXPECT(tetproof_report_text(NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_junit(NULL, NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_records(NULL) == NULL);
+  EXPECT(tetproof_report_defects(NULL, NULL, NULL, NULL, NULL) == bad);
+  EXPECT(tetproof_report_document_defects(NULL, NULL, NULL, NULL) == bad);
   EXPECT(tetproof_check_info_at(-1) == NULL && tetproof_check_info_at(1000) == NULL);
   EXPECT(tetproof_document_read(NULL, NULL, NULL, NULL) == bad);
   EXPECT(tetproof_document_read_memory(NULL, 0, NULL, NULL, NULL) == bad);

@@ -80,6 +80,46 @@ TEST(CProgram, GivesTheBytesOfTetproofVerifyWithASurface) {
                 {files / "grid.msh", spec, "--region", "outside", "--check", "inverted,volume-surface"}));
 }
 
+TEST(CProgram, ShowsTheDefectsThatTetproofVerifyShows) {
+  const ScratchFolder files;
+  const std::string path = bad_mesh("inverted-and-hanging.node");
+  ASSERT_EQ(run_program({program("tetproof-verify"), path, "--defects", files / "expected.vtu"}).exit_code,
+            1);
+  const FileDocument document = made<tetproof_document>(
+      [&](auto** out, auto* error) { return tetproof_document_read(path.c_str(), nullptr, out, error); });
+  const tetproof_document_arrays* a = nullptr;
+  ASSERT_EQ(tetproof_document_view(document.get(), &a, nullptr), TETPROOF_OK);
+  std::vector<std::int64_t> from_one(a->tets, a->tets + 4 * a->tet_count);
+  for (std::int64_t& corner : from_one) ++corner;
+  const tetproof_points points{a->points, a->point_count, 0, 0};
+  tetproof_integers tets{from_one.data(), a->tet_count, 0, 0, 1, 64};
+  const Report of_arrays = judged(points, tets),
+               of_document = made<tetproof_report>([&](auto**out, auto*error) {
+                 return tetproof_judge_document(document.get(), nullptr, nullptr, out, error);
+               });
+  const auto bytes = [&](const FileDocument& defects) {
+    EXPECT_EQ(tetproof_document_write(defects.get(), (files / "defects.vtu").c_str(), nullptr, nullptr),
+              TETPROOF_OK);
+    return files.read("defects.vtu");
+  };
+  EXPECT_EQ(bytes(made<tetproof_document>([&](auto** out, auto* error) {
+              return tetproof_report_defects(of_arrays.get(), &points, &tets, out, error);
+            })),
+            files.read("expected.vtu"));
+  EXPECT_EQ(bytes(made<tetproof_document>([&](auto** out, auto* error) {
+              return tetproof_report_document_defects(of_document.get(), document.get(), out, error);
+            })),
+            files.read("expected.vtu"));
+  --tets.count;
+  EXPECT_NE(refused<tetproof_document>(TETPROOF_BAD_ARGUMENT,
+                                       [&](auto** out, auto* error) {
+                                         return tetproof_report_defects(of_arrays.get(), &points, &tets, out,
+                                                                        error);
+                                       })
+                .find("the report is of"),
+            std::string::npos);
+}
+
 TEST(CProgram, GivesTheBytesOfTetproofVerifyWithRegions) {
   const ScratchFolder files;
   const corpus::BadMesh sound = [] {

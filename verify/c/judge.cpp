@@ -9,6 +9,7 @@
 #include "verify/c/boundary.hpp"
 #include "verify/c/handles.hpp"
 #include "verify/c/options.hpp"
+#include "verify/defects.hpp"
 
 using namespace tetproof;
 using namespace tetproof::c;
@@ -69,6 +70,17 @@ void hand_over(verify::Report report, Numbering numbering, tetproof_report*& res
   result = std::make_unique<tetproof_report>(std::move(report), std::move(numbering)).release();
 }
 
+std::unique_ptr<tetproof_document> defects_of(const TetMesh& mesh, const tetproof_report& report) {
+  const verify::Shape& judged = report.report.mesh;
+  if (judged.points != static_cast<std::int64_t>(mesh.points.size()) ||
+      judged.tets != static_cast<std::int64_t>(mesh.tets.size()))
+    refuse_argument(fmt::format("the report is of {} tetrahedra and {} points, and the mesh has {} and {}",
+                                judged.tets, judged.points, mesh.tets.size(), mesh.points.size()));
+  auto made = std::make_unique<tetproof_document>();
+  made->document = verify::defects_document(mesh, report.numbering, report.report);
+  return made;
+}
+
 }  // namespace
 
 tetproof_status tetproof_judge(const tetproof_points* points, const tetproof_integers* tets,
@@ -110,6 +122,26 @@ tetproof_status tetproof_judge_document(const tetproof_document* document, const
             no_tetrahedra(from.path.empty() ? "the document" : from.path, judge.options.unjudged));
       hand_over(verdict(mesh, surface, std::move(judge.options)), numbering(from), result);
     });
+  });
+}
+
+tetproof_status tetproof_report_defects(const tetproof_report* report, const tetproof_points* points,
+                                        const tetproof_integers* tets, tetproof_document** defects,
+                                        tetproof_error* error) {
+  return guarded(error, [&] {
+    tetproof_document*& result = result_of(defects, "defects");
+    const Named named = mesh_of(needed(points, "points"), needed(tets, "tets"));
+    on_threads(0, [&] { result = defects_of(named.mesh, needed(report, "report")).release(); });
+  });
+}
+
+tetproof_status tetproof_report_document_defects(const tetproof_report* report,
+                                                 const tetproof_document* document,
+                                                 tetproof_document** defects, tetproof_error* error) {
+  return guarded(error, [&] {
+    tetproof_document*& result = result_of(defects, "defects");
+    const Document& from = needed(document, "document").document;
+    on_threads(0, [&] { result = defects_of(tet_mesh(from), needed(report, "report")).release(); });
   });
 }
 

@@ -231,6 +231,18 @@ TETPROOF_API tetproof_status tetproof_report_text(const tetproof_report* report,
 TETPROOF_API tetproof_status tetproof_report_junit(const tetproof_report* report, const char* mesh,
                                                    char** xml, tetproof_error* error);
 
+/* The broken elements for a viewer, with one ring of tetrahedra around them: the document that
+ * `tetproof-verify --defects` writes; .vtu is for ParaView. The mesh is that of the report, as arrays or as a
+ * document. BAD_ARGUMENT: it has other counts of points and tetrahedra. */
+TETPROOF_API tetproof_status tetproof_report_defects(const tetproof_report* report,
+                                                     const tetproof_points* points,
+                                                     const tetproof_integers* tets,
+                                                     tetproof_document** defects, tetproof_error* error);
+TETPROOF_API tetproof_status tetproof_report_document_defects(const tetproof_report* report,
+                                                              const tetproof_document* document,
+                                                              tetproof_document** defects,
+                                                              tetproof_error* error);
+
 /* --- The report as plain records ---------------------------------------------------------------------- */
 /* In all records: a double that is not known is NaN, a count that is not known is -1. Numbers of tetrahedra,
  * points and faces are the caller's own, from `base` on, or those of the document's file. Positions count
