@@ -1,0 +1,20 @@
+# Before anything is packed: the tools are there, and times are those of the commit, so that the same source gives the
+# same bytes.
+foreach(tool IN ITEMS dpkg-shlibdeps:dpkg-dev file:file gzip:gzip)
+  string(REPLACE ":" ";" tool "${tool}")
+  list(GET tool 0 program)
+  list(GET tool 1 package)
+  find_program(TETPROOF_${program} ${program})
+  if(NOT TETPROOF_${program})
+    message(FATAL_ERROR "cpack needs ${program} (apt-get install ${package})")
+  endif()
+endforeach()
+if("$ENV{SOURCE_DATE_EPOCH}" STREQUAL "")
+  execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY "${CPACK_TETPROOF_SOURCE}"
+    OUTPUT_VARIABLE time OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(time MATCHES "^[0-9]+$")
+    set(ENV{SOURCE_DATE_EPOCH} "${time}")
+  else()
+    message(STATUS "Not a git checkout, and SOURCE_DATE_EPOCH is not set: the packages hold the time of this run")
+  endif()
+endif()
