@@ -29,6 +29,39 @@ foreach(file ${files})
 endforeach()
 execute_process(COMMAND find "${staged}/tetproof" -type d -empty -delete COMMAND_ERROR_IS_FATAL ANY)
 
+# A shared library: how packages that link it depend on it, and the trigger by which the loader finds it.
+file(GLOB shared RELATIVE "${staged}/tetproof/${prefix}/lib" "${staged}/tetproof/${prefix}/lib/lib*.so.*"
+  "${staged}/tetproof/${prefix}/lib/*/lib*.so.*")
+list(FILTER shared INCLUDE REGEX "\\.so\\.[0-9]+$")
+set(remarks "")
+set(remarks_dev "")
+if(shared)
+  set(control "${staged}/../control")
+  file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
+  file(WRITE "${control}/shlibs" "")
+  foreach(library ${shared})
+    string(REGEX REPLACE "^(.*/)?(lib[^/]+)\\.so\\.([0-9]+)$" "\\2 \\3" library "${library}")
+    file(APPEND "${control}/shlibs" "${library} tetproof (= ${CPACK_DEBIAN_PACKAGE_VERSION})\n")
+  endforeach()
+  set(CPACK_DEBIAN_TETPROOF_PACKAGE_CONTROL_EXTRA "${control}/triggers" "${control}/shlibs")
+  string(APPEND remarks "# The library is for programs that users build, beside the programs; no other package links it.
+tetproof: package-name-doesnt-match-sonames *
+# CPack writes these scripts itself, beside the trigger.
+tetproof: maintscript-calls-ldconfig *
+")
+endif()
+if(IS_DIRECTORY "${staged}/dev/${prefix}/lib/pkgconfig")
+  string(APPEND remarks_dev "# The package is for the machine that it was built on, and its files find each other wherever the tree is.
+tetproof-dev: pkg-config-unavailable-for-cross-compilation *
+")
+endif()
+if(remarks)
+  file(WRITE "${staged}/tetproof/${prefix}/share/lintian/overrides/tetproof" "${remarks}")
+endif()
+if(remarks_dev)
+  file(WRITE "${staged}/dev/${prefix}/share/lintian/overrides/tetproof-dev" "${remarks_dev}")
+endif()
+
 file(REMOVE "${doc}/LICENSE")   # copyright names it, and Debian has it
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)   # SOURCE_DATE_EPOCH
 file(WRITE "${doc}/changelog" "tetproof (${CPACK_DEBIAN_PACKAGE_VERSION}) unstable; urgency=medium
@@ -51,6 +84,15 @@ endif()
 if(IS_DIRECTORY "${staged}/tetproof/${prefix}/share/zsh/site-functions")
   file(RENAME "${staged}/tetproof/${prefix}/share/zsh/site-functions"
     "${staged}/tetproof/${prefix}/share/zsh/vendor-completions")
+endif()
+
+# Below /usr/local, which the build may have been made for, the folder of Python's modules has a version. Below /usr it has none.
+file(GLOB versioned "${staged}/tetproof/${prefix}/lib/python3.*/dist-packages")
+if(versioned)
+  file(MAKE_DIRECTORY "${staged}/tetproof/${prefix}/lib/python3")
+  file(RENAME "${versioned}" "${staged}/tetproof/${prefix}/lib/python3/dist-packages")
+  cmake_path(GET versioned PARENT_PATH versioned)
+  file(REMOVE_RECURSE "${versioned}")
 endif()
 
 # The Python module needs Python and NumPy. A compiled one is for one version of Python.

@@ -57,13 +57,14 @@ def at_debian_place(name):
         return None
     if re.match(r"share/man/man\d/|share/doc/tetproof/CHANGELOG.md$", name):
         name += ".gz"
+    name = re.sub(r"^lib/python3\.\d+/", "lib/python3/", name)
     return "usr/" + name.replace("share/zsh/site-functions/", "share/zsh/vendor-completions/")
 
 
 def check_layout(folder):
     """On a made-up tree: what goes where, and what refuses."""
     staged = folder / "staged"
-    runtime = ["bin/tetproof-verify", "lib/libx.so.0", "lib/python3/dist-packages/x/core.cpython-311-x86_64-linux-gnu.so"]
+    runtime = ["bin/tetproof-verify", "lib/libx.so.0", "lib/python3.11/dist-packages/x/core.cpython-311-x86_64-linux-gnu.so"]
     dev = ["include/x.h", "lib/libx.a", "lib/libx.so", "lib/pkgconfig/x.pc", "lib/cmake/x/xConfig.cmake"]
     both = [*runtime, *dev, "share/doc/tetproof/LICENSE", "share/doc/tetproof/CHANGELOG.md"]
     for name in both:
@@ -90,9 +91,12 @@ message("${{CPACK_DEBIAN_TETPROOF_PACKAGE_DEPENDS}}, recommends ${{CPACK_DEBIAN_
     for package, expected in (("tetproof", runtime), ("dev", dev)):
         found = {str(path.relative_to(staged / package / "usr")) for path in (staged / package / "usr").rglob("*")
                  if not path.is_dir()}
-        found = {name for name in found if not name.startswith("share/doc/")}
+        found = {name for name in found if not re.match("share/(doc|lintian)/", name)}
+        expected = [name.replace("python3.11", "python3") for name in expected]
         check(found == set(expected), f"{package} holds {sorted(found)}, expected {sorted(expected)}")
     check(not (staged / "tetproof" / "usr" / "include").exists(), "an empty folder stays")
+    check((folder / "control" / "shlibs").read_text().startswith("libx 0 tetproof (= "), "what needs libx.so.0 needs tetproof")
+    check((folder / "control" / "triggers").read_text() == "activate-noawait ldconfig\n", "the loader is told of libx.so.0")
 
 
 def main():
@@ -117,6 +121,8 @@ def main():
         installed = {str(path.relative_to(arguments.installed)) for path in arguments.installed.rglob("*") if not path.is_dir()}
         wanted = {at_debian_place(name) for name in installed} - {None}
         extra = {f"usr/share/doc/{name}/{file}" for name in packages for file in ("changelog.gz", "copyright")}
+        # What lintian is told of a shared library and of pkg-config's file comes with them.
+        extra |= {name for name in runtime | dev if name.startswith("usr/share/lintian/overrides/")}
         check(runtime | dev == wanted | extra, f"packed and installed differ: {sorted((runtime | dev) ^ (wanted | extra))}")
         for name in runtime:
             check(not re.search(r"^usr/include/|\.a$|/cmake/|/pkgconfig/", name), f"{name} belongs into tetproof-dev")
