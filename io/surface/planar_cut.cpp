@@ -118,7 +118,7 @@ void Mesh::make_delaunay(const std::vector<Vector2d>& points, const PlaneSlope& 
     for (std::size_t k = 0; k < 3; ++k)
       if (t[k] < t[(k + 1) % 3]) sides.push_back({t[k], t[(k + 1) % 3]});
   while (!sides.empty()) {
-    const auto [a, b] = sides.back();
+    const std::int32_t a = sides.back()[0], b = sides.back()[1];  // clang 14 lets no lambda use bindings
     sides.pop_back();
     const std::int32_t left = behind(b, a), right = behind(a, b);
     if (left < 0 || right < 0 || count(a, b) > 0) continue;
