@@ -105,7 +105,7 @@ for project in "$here"/*consumer; do   # in C++; in C
   start=$(now)
   expect 0 cmake -S "$project" -B "${project##*/}" -DCMAKE_BUILD_TYPE=Release
   expect 0 cmake --build "${project##*/}" -j "$(nproc)"
-  expect 0 ctest --no-tests=error --test-dir "${project##*/}"
+  expect 0 ctest --output-on-failure --no-tests=error --test-dir "${project##*/}"
   echo "a project with find_package(tetproof), ${project##*/}: $(took "$start")"
 done
 
