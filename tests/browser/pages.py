@@ -198,7 +198,7 @@ class Tests:
         cuts = page.driver.execute_script("return Array.from(document.querySelectorAll('figure svg title'), t => t.textContent)")
         assert [title for title in cuts if "ut" in title] == ["The grid cut open"] + ["Cut across " + axis for axis in "xyz"], cuts
         dots = page.driver.find_element(By.CSS_SELECTOR, "#volumes .dots").get_attribute("d").count("M")
-        assert dots == report["mesh"]["tets"], (dots, report["mesh"]["tets"])
+        assert dots == min(4000, report["mesh"]["tets"]), (dots, report["mesh"]["tets"])   # a sample, as the plot says
         curve = page.driver.find_element(By.CSS_SELECTOR, "#e-avg .curve").get_attribute("d").count("L")
         assert curve == report["adaptation"]["insertions"], curve
         page.click("show-boundary")
@@ -221,12 +221,11 @@ class Tests:
         assert rows["point"][2] == "differs" and rows["tet"][2] == "same", rows
         assert float(rows["e_avg"][0]) == record["e_avg"]   # both choices, with their E'avg
         assert [row[3] for row in page.rows("sides")] == [result["reference"]["says"], result["other"]["says"]]
-        targets = []
-        for button in page.driver.find_elements(By.CSS_SELECTOR, "#sides button"):
+        for i, button in enumerate(page.driver.find_elements(By.CSS_SELECTOR, "#sides button")):
             button.click()
-            page.wait(lambda: (page.view("selected") or "").startswith("target"), "the flight ends")
-            targets.append(page.view("target"))
-        assert len(set(targets)) == 2, targets
+            page.wait(lambda: page.view("selected") == f"target {i}", "the flight ends")
+            name = ("reference", "other")[i]
+            assert page.text("told") == f"{name}: {result[name]['says']}"
         assert {"reference", "other", "surface"} <= set(page.view("shown").split())
         self.shot(page, "traces")
         assert page.console() == []
