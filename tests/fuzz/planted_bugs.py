@@ -2,8 +2,9 @@
 """The fuzz driver against a mesher with planted bugs (faults.cpp): every bug is found, classed, grouped and shrunk, and
 the mesher without a bug has no finding. Prints a table.
 
-usage: planted_bugs.py BUILD [--full] [--only BUG,...]
-  Without --full each bug gets a few dozen cases, about a minute in all; with it 2,000 cases, half an hour."""
+usage: planted_bugs.py BUILD [--full] [--only BUG,...] [--patient]
+  Without --full each bug gets a few dozen cases, about a minute in all; with it 2,000 cases, half an hour.
+  --patient   shrinks for 20 s, as --full does: for programs that sanitizers make slow"""
 import argparse
 import json
 import os
@@ -118,6 +119,7 @@ def main():
     parser.add_argument("build")
     parser.add_argument("--full", action="store_true")
     parser.add_argument("--only", default="")
+    parser.add_argument("--patient", action="store_true")
     arguments = parser.parse_args()
     build = os.path.abspath(arguments.build)
     chosen = arguments.only.split(",") if arguments.only else ["none", *BUGS]
@@ -135,7 +137,7 @@ def main():
                 continue
             expected = BUGS[bug]
             cases = min(FULL_CASES, expected.most_cases) if arguments.full else expected.cases
-            shrink = ["--shrink", "20" if arguments.full else "4"] if expected.triangles else []
+            shrink = ["--shrink", "20" if arguments.full or arguments.patient else "4"] if expected.triangles else []
             most_triangles = expected.triangles if arguments.full else expected.quickly or expected.triangles
             check = Check(bug, expected, most_triangles, *campaign(build, bug, cases, [*expected.options, *shrink], f"{scratch}/{bug}"))
             failures += [f"{bug}: {what}" for what in check.wrong]
