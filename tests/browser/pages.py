@@ -51,7 +51,8 @@ class Page:
     def __init__(self, driver, path):
         self.driver = driver
         driver.get(pathlib.Path(path).resolve().as_uri())
-        self.wait(lambda: self.view("ready"), "the view is ready")
+        if driver.find_elements(By.ID, "view"):
+            self.wait(lambda: self.view("ready"), "the view is ready")
 
     def wait(self, holds, what, seconds=60):
         end = time.monotonic() + seconds
@@ -60,7 +61,8 @@ class Page:
             time.sleep(0.02)
 
     def view(self, name):
-        return self.driver.find_element(By.ID, "view").get_attribute("data-" + name)
+        found = self.driver.find_elements(By.ID, "view")
+        return found[0].get_attribute("data-" + name) if found else None
 
     def click(self, element_id):
         self.driver.execute_script("arguments[0].click()", self.driver.find_element(By.ID, element_id))
