@@ -104,4 +104,7 @@ if(modules)
     math(EXPR next "${CMAKE_MATCH_1} + 1")
     set(CPACK_DEBIAN_TETPROOF_PACKAGE_DEPENDS "python3 (>= 3.${CMAKE_MATCH_1}~), python3 (<< 3.${next}~)")
   endif()
+  # Python writes bytecode beside a module that root imports: it goes with the package.
+  file(WRITE "${staged}/../control/prerm" "#!/bin/sh\nset -e\nif command -v py3clean >/dev/null 2>&1; then py3clean -p tetproof; fi\n")
+  list(APPEND CPACK_DEBIAN_TETPROOF_PACKAGE_CONTROL_EXTRA "${staged}/../control/prerm")
 endif()
