@@ -35,12 +35,18 @@ Json point(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Numbers that mostly count up: for each run its first position and its first number.
-Json runs(const std::vector<std::int64_t>& numbers) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (i == 0 || numbers[i] != numbers[i - 1] + 1) all.push_back({i, numbers[i]});
-  return all;
+// Numbers that mostly count up are runs: for each its first position and its first number. Others are an
+// array of 32 bits where they fit, else of doubles.
+Json numbers_of(const std::vector<std::int64_t>& numbers) {
+  Json runs = Json::array();
+  bool fit = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i == 0 || numbers[i] != numbers[i - 1] + 1) runs.push_back({i, numbers[i]});
+    fit = fit && numbers[i] == static_cast<std::int32_t>(numbers[i]);
+  }
+  if (runs.size() < 16 || runs.size() < numbers.size() / 4) return runs;
+  if (fit) return {{"int32", bytes_of(std::vector<std::int32_t>(numbers.begin(), numbers.end()))}};
+  return {{"float64", bytes_of(std::vector<double>(numbers.begin(), numbers.end()))}};
 }
 
 Json json(const SceneLayer& layer) {
@@ -77,8 +83,8 @@ std::string scene_json(const Scene& scene) {
               {"cut_axes", scene.cut_axes},
               {"cut_anywhere", scene.cut_anywhere},
               {"cut_middle", point(scene.cut_middle)},
-              {"tet_numbers", runs(scene.tet_numbers)},
-              {"point_numbers", runs(scene.point_numbers)},
+              {"tet_numbers", numbers_of(scene.tet_numbers)},
+              {"point_numbers", numbers_of(scene.point_numbers)},
               {"tet_regions", bytes_of(scene.tet_regions)},
               {"regions", scene.regions},
               {"value_name", scene.value_name},

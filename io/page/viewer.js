@@ -17,17 +17,24 @@
   for (let i = 0; i < tets.length; ++i) tets[i] = short[3 * i] | short[3 * i + 1] << 8 | short[3 * i + 2] << 16;
   const tetRegions = decode(scene.tet_regions, Int32Array);
   const tetCount = tets.length / 4;
-  // A position's number in the file; the numbers are stored as runs that count up.
-  function numberOf(runs, position) {
-    let low = 0, high = runs.length;
+  // A position's number in the file. The numbers are stored as runs that count up, or as an array.
+  function numbersOf(given) {
+    if (given.int32) return decode(given.int32, Int32Array);
+    if (given.float64) return decode(given.float64, Float64Array);
+    return given;
+  }
+  function numberOf(numbers, position) {
+    if (!Array.isArray(numbers)) return numbers[position];
+    let low = 0, high = numbers.length;
     while (high - low > 1) {
       const middle = low + high >> 1;
-      if (runs[middle][0] <= position) low = middle; else high = middle;
+      if (numbers[middle][0] <= position) low = middle; else high = middle;
     }
-    return runs.length ? runs[low][1] + position - runs[low][0] : position;
+    return numbers.length ? numbers[low][1] + position - numbers[low][0] : position;
   }
-  const tetNumber = t => numberOf(scene.tet_numbers, t);
-  const pointNumber = v => numberOf(scene.point_numbers, v);
+  const tetNumbers = numbersOf(scene.tet_numbers), pointNumbers = numbersOf(scene.point_numbers);
+  const tetNumber = t => numberOf(tetNumbers, t);
+  const pointNumber = v => numberOf(pointNumbers, v);
 
   // --- units: the middle of all points is the origin, and the box has a size of about 1
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t point_bytes = 24, triangle_bytes = 16, face_bytes = 8;
+constexpr std::size_t point_bytes = 24, triangle_bytes = 16, face_bytes = 8, number_bytes = 4;
 constexpr std::size_t most_faces = 300'000;      // of a boundary that is drawn as it is
 constexpr std::size_t most_triangles = 150'000;  // of a boundary that is drawn by fewer
 
@@ -64,6 +64,17 @@ std::vector<float> distances(const TriangleSet& set, const TriangleSurface& surf
   return values;
 }
 
+// What a page needs for the numbers of a file: next to nothing where they count up.
+std::size_t bytes_of_numbers(const std::vector<std::int64_t>& numbers) {
+  std::size_t runs = 0;
+  bool fit = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    runs += i == 0 || numbers[i] != numbers[i - 1] + 1;
+    fit = fit && numbers[i] == static_cast<std::int32_t>(numbers[i]);
+  }
+  return std::min(12 * runs, numbers.size() * (fit ? number_bytes : 2 * number_bytes));
+}
+
 }  // namespace
 
 DrawnMesh::DrawnMesh(const PageSubject& subject, io::Scene& scene, std::vector<std::string>& left_out)
@@ -94,9 +105,11 @@ bool DrawnMesh::usable(Index v) const {
 void DrawnMesh::choose(std::size_t most_bytes) {
   const auto drawable =
       static_cast<std::size_t>(std::count(undrawable_.begin(), undrawable_.end(), std::uint8_t{0}));
+  const std::size_t numbers =
+      bytes_of_numbers(subject_.numbering.tets) + bytes_of_numbers(subject_.numbering.points);
   const std::size_t points = std::min(mesh_.points.size(), 4 * drawable);
   if (faces_.size() <= most_faces &&
-      drawable * tet_bytes() + points * point_bytes + faces_.size() * face_bytes <= most_bytes) {
+      drawable * tet_bytes() + points * point_bytes + faces_.size() * face_bytes + numbers <= most_bytes) {
     // The points in their order, so that their numbers count up and take no space.
     std::vector<std::uint8_t> used(mesh_.points.size(), 0);
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
@@ -107,7 +120,8 @@ void DrawnMesh::choose(std::size_t most_bytes) {
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
       if (!undrawable_[t]) tet(static_cast<Index>(t));
   } else {
-    const std::size_t each = triangle_bytes + tet_bytes() + point_bytes;  // a triangle, and what it brings
+    // A triangle, and the tetrahedron and the point that it brings, with their numbers.
+    const std::size_t each = triangle_bytes + tet_bytes() + point_bytes + 2 * number_bytes;
     fewer_ = io::reduced(mesh_.points, triangles_, std::min(most_triangles, most_bytes / 2 / each));
     hold_middle(most_bytes - std::min(most_bytes, fewer_.triangles.size() * each));
   }
@@ -139,7 +153,7 @@ void DrawnMesh::hold_middle(std::size_t most_bytes) {
       if (least <= scene_.cut_middle[axis] && most >= scene_.cut_middle[axis]) more.push_back(t);
     }
     // A layer of tetrahedra has fewer points than tetrahedra.
-    if ((count + more.size()) * (tet_bytes() + point_bytes) > most_bytes) continue;
+    if ((count + more.size()) * (tet_bytes() + point_bytes + 2 * number_bytes) > most_bytes) continue;
     for (const std::size_t t : more) met[t] = 1;
     count += more.size();
     scene_.cut_axes += "xyz"[axis];

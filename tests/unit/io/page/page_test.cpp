@@ -80,6 +80,16 @@ TEST(Scene, numbers_are_runs_and_arrays_are_base64) {
   EXPECT_EQ(json["layers"][0]["faces"], "AAAAAAEAAAACAAAAAwAAAA==");
 }
 
+TEST(Scene, numbers_in_no_order_are_an_array) {
+  Scene scene = one_tetrahedron();
+  scene.tet_numbers.clear();
+  for (std::int64_t i = 0; i < 20; ++i) scene.tet_numbers.push_back(i * 7 % 20);
+  const auto json = [&] { return nlohmann::json::parse(scene_json(scene))["tet_numbers"]; };
+  EXPECT_EQ(json()["int32"].get<std::string>().substr(0, 16), "AAAAAAcAAAAOAAAA");  // 0, 7, 14
+  scene.tet_numbers[1] = std::int64_t{1} << 40;
+  EXPECT_EQ(json()["float64"].get<std::string>().size(), 216u);  // 160 bytes
+}
+
 TEST(Scene, faces_are_wound_as_those_of_the_tetrahedron) {
   const Scene scene = one_tetrahedron();
   const auto triangles = triangles_of(scene, scene.layers[0]);
