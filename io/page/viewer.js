@@ -230,13 +230,15 @@
     }
   }
   const axisOf = {x: 0, y: 1, z: 2};
+  // At first the half behind the plane, as one sees it, is kept: the view begins from +x, -y and +z.
+  function flipped() { return cut.flipped !== (cut.axis === 'y'); }
   function planePlace() { return scene.cut_anywhere ? cut.at : toUnits(scene.cut_middle[axisOf[cut.axis]], axisOf[cut.axis]); }
   function computeCut() {
     if (cut.mesh) { world.remove(cut.mesh); cut.mesh.geometry.dispose(); cut.mesh = null; }
     cut.triangles = cut.tets = new Int32Array(0);
     if (!cut.axis) return;
     if (!neighbours) findNeighbours();
-    const k = axisOf[cut.axis], at = planePlace(), sign = cut.flipped ? -1 : 1, count = scene.cut_tets;
+    const k = axisOf[cut.axis], at = planePlace(), sign = flipped() ? -1 : 1, count = scene.cut_tets;
     const kept = new Uint8Array(count);
     let keptCount = 0;
     for (let t = 0; t < count; ++t) {
@@ -274,8 +276,8 @@
     const planes = [];
     if (cut.axis) {
       const normal = new THREE.Vector3();
-      normal.setComponent(axisOf[cut.axis], cut.flipped ? 1 : -1);
-      planes.push(new THREE.Plane(normal, cut.flipped ? -planePlace() : planePlace()));
+      normal.setComponent(axisOf[cut.axis], flipped() ? 1 : -1);
+      planes.push(new THREE.Plane(normal, flipped() ? -planePlace() : planePlace()));
     }
     for (const layer of layers)
       if (layer.boundary || layer.id === 'surface') {
@@ -317,6 +319,10 @@
     asked = true;
     requestAnimationFrame(() => {
       asked = false;
+      const distance = camera.position.distanceTo(orbit.target);   // depths are told apart best around the target
+      camera.near = distance / 500;
+      camera.far = distance + 4 * allRadius;
+      camera.updateProjectionMatrix();
       renderer.render(world, camera);
       placeMarks();
       tellState();
@@ -414,9 +420,6 @@
     const from = orbit.target.clone(), start = camera.position.clone();
     const end = goal.clone().add(start.clone().sub(from).normalize().multiplyScalar(5 * radius));
     const begin = performance.now();
-    camera.near = Math.min(1e-2, radius / 100);
-    camera.far = Math.max(20, 100 * radius);
-    camera.updateProjectionMatrix();
     (function step() {
       const part = Math.min((performance.now() - begin) / 400, 1), eased = part * part * (3 - 2 * part);
       orbit.target.copy(from).lerp(goal, eased);

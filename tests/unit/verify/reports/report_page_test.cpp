@@ -73,8 +73,8 @@ TEST(ReportScene, defects_fly_to_their_place_with_the_files_numbers) {
 }
 
 TEST(ReportScene, of_a_large_mesh_the_middle_and_the_defects_are_there) {
-  const Judged judged(with_an_inverted_tetrahedron(12));
-  const ReportScene made = report_scene(judged.report, judged.subject(), 100'000);
+  const Judged judged(with_an_inverted_tetrahedron(16));
+  const ReportScene made = report_scene(judged.report, judged.subject(), 300'000);
   const io::Scene& scene = made.scene;
   EXPECT_FALSE(scene.cut_anywhere);
   EXPECT_FALSE(scene.cut_axes.empty());
@@ -96,8 +96,8 @@ TEST(ReportScene, of_a_large_mesh_the_middle_and_the_defects_are_there) {
   EXPECT_EQ(scene.tet_numbers[layer(scene, "defects")->faces[0] >> 2], 8);
   ASSERT_EQ(made.left_out.size(), 2u);
   EXPECT_THAT(made.left_out[0], HasSubstr("too large to be cut anywhere"));
-  EXPECT_THAT(made.left_out[1], HasSubstr("The boundary of 1728 faces is drawn by"));
-  EXPECT_LT(io::scene_json(scene).size(), 200'000u);
+  EXPECT_THAT(made.left_out[1], HasSubstr("The boundary of 3072 faces is drawn by"));
+  EXPECT_LT(io::scene_json(scene).size(), 450'000u);
 }
 
 TEST(ReportScene, what_cannot_be_drawn_is_said) {
