@@ -75,8 +75,10 @@ std::pair<std::string, std::string> finding_page_of(const ShrunkCase& shrunk, co
 
 void write_campaign_pages(const CampaignResult& result, const CampaignPages& pages) {
   const std::int64_t fresh = new_groups(result);
-  io::Page page("Fuzz campaign", {.text = fresh > 0 ? fmt::format("{} new", fresh) : "nothing new",
-                                  .kind = fresh > 0 ? "fail" : "pass"});
+  PageCell verdict{.text = "nothing new", .kind = "pass"};
+  if (is_incomplete(result)) verdict = {.text = "nothing new, but not all was judged", .kind = "warning"};
+  if (fresh > 0) verdict = {.text = fmt::format("{} new", fresh), .kind = "fail"};
+  io::Page page("Fuzz campaign", verdict);
   page.paragraph(summary_line(result));
   for (const std::string& line : result.missing) page.paragraph("Missing: " + line);
   std::vector<PageRow> rows;

@@ -89,6 +89,11 @@ std::int64_t partly_unjudged(const CampaignResult& result) {
   });
 }
 
+bool is_incomplete(const CampaignResult& result) {
+  return tally_of_all(result).unjudged() > 0 || partly_unjudged(result) > 0 || nothing_judged(result) ||
+         !result.missing.empty();
+}
+
 std::string summary_line(const CampaignResult& result) {
   const Tally all = tally_of_all(result);
   const std::int64_t fresh = new_groups(result);

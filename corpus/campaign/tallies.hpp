@@ -43,6 +43,9 @@ bool nothing_judged(const CampaignResult& result);
 /// Cases of which some runs, but not the worst, were not judged.
 std::int64_t partly_unjudged(const CampaignResult& result);
 
+/// Whether there were runs, or shards, of which nothing can be said.
+bool is_incomplete(const CampaignResult& result);
+
 /// The first line of every report: how much was run, what was found, and what was not looked at.
 std::string summary_line(const CampaignResult& result);
 

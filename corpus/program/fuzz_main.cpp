@@ -42,9 +42,7 @@ constexpr const char* examples =
 
 int exit_code(const CampaignResult& result) {
   if (new_groups(result) > 0) return program::wrong;
-  const bool open = tally_of_all(result).unjudged() > 0 || partly_unjudged(result) > 0 ||
-                    nothing_judged(result) || !result.missing.empty();
-  return open ? program::incomplete : program::sound;
+  return is_incomplete(result) ? program::incomplete : program::sound;
 }
 
 // Writes what was asked for, and the same into the campaign's folder.
@@ -137,6 +135,7 @@ int work(const FuzzArguments& a, const program::Common& common) {
   if (!a.known.empty()) files.reads("--known", a.known);
   files.writes("--junit", a.junit);
   files.writes("--html", a.html);
+  if (others && !a.html.empty()) throw InputError("--html is not for --judge and --reader");
   if (others) return check_or_read(a, common, files);
   if (!a.replay.empty()) return replay(a, common);
   CampaignResult result;

@@ -14,6 +14,7 @@
 #include "io/mesh_files.hpp"
 #include "io/page/page.hpp"
 #include "io/page/picture.hpp"
+#include "io/page/surface_layer.hpp"
 #include "io/surface_files.hpp"
 #include "verify/reports/report_parts.hpp"
 #include "verify/verify.hpp"
@@ -27,23 +28,35 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The mesh against its surface, as the judge shows it.
-io::Page page_of_mesh(const std::string& name, const std::string& path, const TriangleSurface& surface) {
-  const Document document = read_document(path);
+// The mesh as the finding's own report judged it: alone, or against the surface within the distance that was
+// allowed then.
+io::Page page_of_mesh(const std::string& name, const std::string& folder, const std::string& file,
+                      const TriangleSurface& surface) {
+  const Document document = read_document(folder + "/" + file);
   const TetMesh mesh = tet_mesh(document);
   const Numbering numbers = numbering(document);
-  TetRegions regions = tet_regions(document);
-  verify::Options options{.region = verify::Region::inside,
-                          .regions = regions.of_tet,
-                          .region_tags = regions.tags,
-                          .unjudged = verify::unjudged(document)};
-  const verify::JudgedSurface judged(surface);
-  const verify::Report report =
-      judged.report().fault.empty() ? verify::verify(mesh, judged, options) : verify::verify(mesh, options);
+  const TetRegions regions = tet_regions(document);
+  const auto then = nlohmann::json::parse(text_of(folder + "/report.json"), nullptr, false);
+  if (!then.is_object()) throw InputError(folder + "/report.json: expected a JSON object");
+  verify::Options options{
+      .regions = regions.of_tet, .region_tags = regions.tags, .unjudged = verify::unjudged(document)};
+  verify::Report report;
+  const bool alone = !then.contains("surface") || then["surface"].is_null();
+  if (alone) {
+    report = verify::verify(mesh, options);
+  } else {
+    const verify::JudgedSurface judged(surface);
+    const double diagonal = (judged.report().box_max - judged.report().box_min).stableNorm();
+    options.region = verify::Region::inside;
+    options.strict_topology = true;
+    if (then.contains("fidelity") && then["fidelity"].is_object())
+      options.fidelity = then["fidelity"].value("allowed", 0.0) / diagonal;
+    report = verify::verify(mesh, judged, options);
+  }
   return verify::report_page_parts(report, {.mesh = mesh,
                                             .numbering = numbers,
-                                            .mesh_name = name,
-                                            .surface = &surface,
+                                            .mesh_name = name + "/" + file,
+                                            .surface = alone ? nullptr : &surface,
                                             .surface_name = "surface.off",
                                             .regions = regions.of_tet,
                                             .region_tags = regions.tags});
@@ -52,11 +65,10 @@ io::Page page_of_mesh(const std::string& name, const std::string& path, const Tr
 io::Page page_of_surface(const std::string& name, const TriangleSurface& surface) {
   io::Page page(name, {.text = "no mesh", .kind = "fail"});
   io::Scene scene;
-  scene.points = surface.vertices;
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v)
-    scene.point_numbers.push_back(static_cast<std::int64_t>(v));
-  scene.layers.push_back(
-      {.id = "surface", .name = "the surface", .triangles = surface.triangles, .boundary = true});
+  io::SurfaceLayer drawn = io::surface_layer(scene, surface);
+  drawn.layer.boundary = true;
+  scene.layers.push_back(std::move(drawn.layer));
+  if (!drawn.left_out.empty()) page.paragraph(drawn.left_out);
   page.view(scene, io::picture_svg(scene));
   return page;
 }
@@ -76,8 +88,7 @@ std::string finding_page(const std::string& folder) {
   if (!facts.is_object()) throw InputError(folder + "/finding.json: expected a JSON object");
   const TriangleSurface surface = read_surface(folder + "/surface.off");
   const std::string name = std::filesystem::path(folder).filename().string(), mesh = facts.value("mesh", "");
-  io::Page page = mesh.empty() ? page_of_surface(name, surface)
-                               : page_of_mesh(name + "/" + mesh, folder + "/" + mesh, surface);
+  io::Page page = mesh.empty() ? page_of_surface(name, surface) : page_of_mesh(name, folder, mesh, surface);
   page.part("finding", "The finding");
   page.lines(readme);
   if (const std::string picture = picture_address(folder); !picture.empty())

@@ -265,6 +265,18 @@ class Tests:
         self.shot(page, "finding")
         assert page.console() == []
 
+    def test_a_finding_is_judged_as_it_was(self):
+        """A boundary that is off by 1e-6 is a finding for a campaign, and must not be sound on its page."""
+        self.run("tetproof-fuzz", "--cases", 6, "--seed", 5, "--out", "moved", "--shrink", 1, "--html", "page.html", "--quiet",
+                 "--", self.build / "tetproof-faulty-mesher", "move", "{surface}", "{mesh}", codes=(1,))
+        page = self.open("page.html")
+        assert page.rows("groups")[0][1] == "wrong-against-surface", page.rows("groups")
+        page.driver.find_element(By.CSS_SELECTOR, "#groups a").click()
+        page.wait(lambda: page.view("ready") == "yes", "the finding's page is ready")
+        assert page.text("verdict") == "defective", page.text("verdict")
+        refused = self.run("tetproof-fuzz", "--judge", "gmsh", "--html", "none.html", codes=(2,))
+        assert "--html is not for --judge and --reader" in refused.stderr, refused.stderr
+
     def test_names_become_no_code(self):
         """Names of files, surfaces and groups that try to be markup and script are shown, and never run."""
         mesh = (ROOT / "corpus/bad-meshes/blocks-face-to-face.msh").read_text()

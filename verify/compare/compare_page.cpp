@@ -10,7 +10,7 @@
 #include "io/bytes/words.hpp"
 #include "io/page/page.hpp"
 #include "io/page/picture.hpp"
-#include "io/page/reduced.hpp"
+#include "io/page/surface_layer.hpp"
 
 namespace tetproof::verify {
 namespace {
@@ -20,7 +20,6 @@ using Json = nlohmann::ordered_json;
 using io::PageCell;
 using io::PageRow;
 
-constexpr std::size_t most_surface = 60'000;
 constexpr const char* reference_colour = "#1f5a99";
 constexpr const char* other_colour = "#c8102e";
 
@@ -120,22 +119,6 @@ void add_record(Side& side, const Json& record, const std::string& name) {
       side.add_point(point_of(value), name + ": " + key);
     }
   }
-}
-
-void add_surface(io::Page& page, io::Scene& scene, const TriangleSurface& surface) {
-  const io::ReducedTriangles fewer = io::reduced(surface.vertices, surface.triangles, most_surface);
-  io::SceneLayer layer{.id = "surface", .name = "surface", .colour = "#7a8f3c", .opacity = 0.25};
-  const auto first = static_cast<Index>(scene.points.size());
-  scene.points.insert(scene.points.end(), surface.vertices.begin(), surface.vertices.end());
-  scene.point_numbers.resize(scene.points.size(), -1);
-  for (std::array<Index, 3> t : fewer.triangles) {
-    for (Index& v : t) v += first;
-    layer.triangles.push_back(t);
-  }
-  scene.layers.push_back(std::move(layer));
-  if (fewer.cell > 0)
-    page.paragraph(fmt::format("The surface of {} is drawn by {}.",
-                               io::counted(surface.triangles.size(), "triangles"), fewer.triangles.size()));
 }
 
 Json parsed(const std::string& record) {
@@ -250,7 +233,12 @@ std::string comparison_page(const TraceComparison& c, const TriangleSurface* sur
   add_record(second, other, "other");
   const int to_first = first.finish("reference: " + c.reference.says),
             to_second = second.finish("other: " + c.other.says);
-  if (surface) add_surface(page, scene, *surface);
+  if (surface) {
+    io::SurfaceLayer drawn = io::surface_layer(scene, *surface);
+    drawn.layer.opacity = 0.25;
+    scene.layers.push_back(std::move(drawn.layer));
+    if (!drawn.left_out.empty()) page.paragraph(drawn.left_out);
+  }
   widen_targets(scene);
   page.part("choices", "Both choices in place");
   page.table("sides", {"", "file", "line", "says"},

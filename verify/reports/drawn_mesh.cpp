@@ -194,7 +194,7 @@ Index DrawnMesh::tet(Index t) {
 }
 
 io::SceneLayer DrawnMesh::boundary(bool with_distances) {
-  io::SceneLayer layer{.id = "boundary", .name = "boundary of the mesh"};
+  io::SceneLayer layer{.id = "boundary", .name = "boundary of the tetrahedra"};
   layer.boundary = true;
   const bool whole = fewer_.triangles.empty();
   if (whole)

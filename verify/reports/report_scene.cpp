@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/bytes/words.hpp"
+#include "io/page/surface_layer.hpp"
 #include "verify/findings_text.hpp"
 #include "verify/reports/drawn_mesh.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t most_surface = 30'000;  // triangles
 constexpr std::size_t most_ring_edges = 150'000;
 constexpr std::size_t most_marks = 60;
 
@@ -43,7 +43,7 @@ class Builder {
       if (p.allFinite()) box_.add(p);
     find_named();
     const std::size_t surface =
-        subject_.surface ? std::min(most_surface, subject_.surface->triangles.size()) : 0;
+        subject_.surface ? std::min(io::most_surface_triangles, subject_.surface->triangles.size()) : 0;
     std::size_t findings = 0;
     for_each_finding([&](const CheckResult&, const Finding&) { ++findings; });
     const std::size_t others =
@@ -101,28 +101,11 @@ class Builder {
 
   void add_surface() {
     if (!subject_.surface) return;
-    const TriangleSurface& surface = *subject_.surface;
-    const io::ReducedTriangles fewer = io::reduced(surface.vertices, surface.triangles, most_surface);
-    if (fewer.cell > 0)
-      result_.left_out.push_back(fmt::format(
-          "The surface of {} is drawn by {}: points within {:.3g} of each other may be joined.",
-          io::counted(surface.triangles.size(), "triangles"), fewer.triangles.size(), fewer.cell));
-    io::SceneLayer layer{
-        .id = "surface", .name = "surface", .colour = "#7a8f3c", .opacity = 0.25, .shown = false};
-    std::vector<Index> place(surface.vertices.size(), -1);
-    for (std::array<Index, 3> t : fewer.triangles) {
-      for (Index& v : t) {
-        Index& here = place[static_cast<std::size_t>(v)];
-        if (here < 0) {
-          here = static_cast<Index>(result_.scene.points.size());
-          result_.scene.points.push_back(surface.vertices[static_cast<std::size_t>(v)]);
-          result_.scene.point_numbers.push_back(-1);
-        }
-        v = here;
-      }
-      layer.triangles.push_back(t);
-    }
-    result_.scene.layers.push_back(std::move(layer));
+    io::SurfaceLayer drawn = io::surface_layer(result_.scene, *subject_.surface);
+    drawn.layer.opacity = 0.25;
+    drawn.layer.shown = false;
+    result_.scene.layers.push_back(std::move(drawn.layer));
+    if (!drawn.left_out.empty()) result_.left_out.push_back(std::move(drawn.left_out));
   }
 
   void add_defects() {
