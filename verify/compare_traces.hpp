@@ -80,6 +80,9 @@ const std::vector<TraceStep>& trace_steps();
 TraceComparison compare_traces(const std::string& other, const std::string& reference,
                                double tolerance = 1e-9, const CheckTrace& check = {});
 
+/// "equal", "tie", "diverges" or "unresolved", as in JSON.
+const char* name_of(TraceComparison::Verdict verdict);
+
 /// The result as text for people: one to a few lines, each with its line end.
 std::string comparison_text(const TraceComparison&);
 /// The result as JSON. corpus/vectors/TRACE.md describes the keys.

@@ -125,20 +125,6 @@ Json parsed(const std::string& record) {
   return record.empty() ? Json() : Json::parse(record, nullptr, false);
 }
 
-const char* verdict_text_of(TraceComparison::Verdict verdict) {
-  switch (verdict) {
-    case TraceComparison::Verdict::equal:
-      return "equal";
-    case TraceComparison::Verdict::tie:
-      return "equal but for ties";
-    case TraceComparison::Verdict::diverges:
-      return "diverge";
-    case TraceComparison::Verdict::unresolved:
-      return "unresolved";
-  }
-  return "";
-}
-
 // A row for each key of the two records.
 std::vector<PageRow> rows_of(const Json& reference, const Json& other) {
   std::vector<std::string> keys;
@@ -219,7 +205,7 @@ void widen_targets(io::Scene& scene) {
 std::string comparison_page(const TraceComparison& c, const TriangleSurface* surface) {
   const bool diverges = c.verdict == TraceComparison::Verdict::diverges;
   const bool incomplete = c.verdict == TraceComparison::Verdict::unresolved || !c.not_compared.empty();
-  io::Page page(c.other.file + " beside " + c.reference.file, {.text = verdict_text_of(c.verdict),
+  io::Page page(c.other.file + " beside " + c.reference.file, {.text = name_of(c.verdict),
                                                                .kind = diverges     ? "fail"
                                                                        : incomplete ? "warning"
                                                                                     : "pass"});

@@ -124,6 +124,20 @@ TraceComparison compare_traces(const std::string& other_path, const std::string&
   return result;
 }
 
+const char* name_of(TraceComparison::Verdict verdict) {
+  switch (verdict) {
+    case Verdict::equal:
+      return "equal";
+    case Verdict::tie:
+      return "tie";
+    case Verdict::diverges:
+      return "diverges";
+    case Verdict::unresolved:
+      return "unresolved";
+  }
+  return "";
+}
+
 std::string comparison_text(const TraceComparison& result) {
   const std::string so_far = counted(result.insertions, "insertion", "insertions") + " and " +
                              counted(result.flips, "flip", "flips");
@@ -155,10 +169,7 @@ std::string comparison_json(const TraceComparison& result) {
   const bool equal = result.verdict == Verdict::equal;
   const auto unless_equal = [&](const auto& value) { return equal ? Json() : Json(value); };
   const Json all{{"compared", "traces"},
-                 {"verdict", equal                                   ? "equal"
-                             : result.verdict == Verdict::tie        ? "tie"
-                             : result.verdict == Verdict::unresolved ? "unresolved"
-                                                                     : "diverges"},
+                 {"verdict", name_of(result.verdict)},
                  {"step", unless_equal(result.step)},
                  {"place", unless_equal(result.place)},
                  {"insertion", result.insertion ? Json(result.insertion) : Json()},

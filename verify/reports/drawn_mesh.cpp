@@ -95,6 +95,15 @@ DrawnMesh::DrawnMesh(const PageSubject& subject, io::Scene& scene, std::vector<s
                     "numbers. The points "
                     "that a finding names are marked.",
                     io::counted(count, "tetrahedra"), count == 1 ? "it lacks" : "they lack"));
+  const auto is_rounded = [](std::int64_t n) {
+    return static_cast<std::int64_t>(static_cast<double>(n)) != n;
+  };
+  for (const auto* numbers : {&subject.numbering.points, &subject.numbering.tets})
+    if (std::any_of(numbers->begin(), numbers->end(), is_rounded)) {
+      left_out_.emplace_back(
+          "A click shows numbers above 2^53 rounded; the tables and the report have them exactly.");
+      break;
+    }
 }
 
 bool DrawnMesh::usable(Index v) const {
