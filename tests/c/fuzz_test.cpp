@@ -182,6 +182,12 @@ TEST(CFuzz, JudgesDamagedArrays) {
     expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
       return tetproof_report_junit(report.get(), fuzz.text("mesh").c_str(), out, error);
     });
+    if (seed % 10 == 0)  // a page is a megabyte
+      expect_sane<char>(fuzz, seen, [&](char** out, auto* error) {
+        return tetproof_report_html(report.get(), fuzz.given(&arrays.points), fuzz.given(&arrays.tets),
+                                    fuzz.rarely() ? ball.get() : nullptr, fuzz.text("mesh").c_str(), out,
+                                    error);
+      });
   }
   expect_each(seen, {TETPROOF_OK, TETPROOF_BAD_ARGUMENT, TETPROOF_TOO_LARGE});
 }

@@ -65,6 +65,11 @@ int main(void) {
   tetproof_text_free(text);
   EXPECT(tetproof_report_junit(report, "mesh", &text, NULL) == TETPROOF_OK && text[0] == '<');
   tetproof_text_free(text);
+  EXPECT(tetproof_report_html(report, &points, &tets, sphere, "mesh", &text, NULL) == TETPROOF_OK);
+  EXPECT(strstr(text, "<!DOCTYPE html>") == text);
+  tetproof_text_free(text);
+  EXPECT(tetproof_report_document_html(again, grid, NULL, "mesh", &text, NULL) == TETPROOF_OK);
+  tetproof_text_free(text);
 
   tetproof_write_options write;
   EXPECT(tetproof_write_options_init(&write, sizeof write, NULL) == TETPROOF_OK);
@@ -104,6 +109,8 @@ int main(void) {
   EXPECT(tetproof_report_json(NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_text(NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_junit(NULL, NULL, NULL, NULL) == bad);
+  EXPECT(tetproof_report_html(NULL, NULL, NULL, NULL, NULL, NULL, NULL) == bad);
+  EXPECT(tetproof_report_document_html(NULL, NULL, NULL, NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_records(NULL) == NULL);
   EXPECT(tetproof_report_defects(NULL, NULL, NULL, NULL, NULL) == bad);
   EXPECT(tetproof_report_document_defects(NULL, NULL, NULL, NULL) == bad);

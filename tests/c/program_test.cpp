@@ -150,6 +150,49 @@ TEST(CProgram, GivesTheBytesOfTetproofVerifyWithRegions) {
             expected);
 }
 
+TEST(CProgram, MakesThePageOfTetproofVerify) {
+  const ScratchFolder files;
+  const std::string path = TETPROOF_SOURCE_DIR "/corpus/formats/meshes/two_41_text.msh";
+  const FileDocument document = made<tetproof_document>(
+      [&](auto** out, auto* error) { return tetproof_document_read(path.c_str(), nullptr, out, error); });
+  const Surface octahedron = opened("octahedron");
+  const Report report = made<tetproof_report>([&](auto** out, auto* error) {
+    return tetproof_judge_document(document.get(), octahedron.get(), nullptr, out, error);
+  });
+  const auto page = made<char>([&](char** out, auto* error) {
+    return tetproof_report_document_html(report.get(), document.get(), octahedron.get(), path.c_str(), out,
+                                         error);
+  });
+  run_program({program("tetproof-verify"), path, "octahedron", "--html", files / "page.html"});
+  EXPECT_EQ(page.get(), files.read("page.html"));
+
+  // Two regions of arrays that count from 1.
+  const tetproof_document_arrays* a = nullptr;
+  ASSERT_EQ(tetproof_document_view(document.get(), &a, nullptr), TETPROOF_OK);
+  ASSERT_EQ(a->tet_count, 2);
+  const std::vector<std::int64_t> tags{8, 9};
+  const tetproof_integers regions{tags.data(), 2, 0, 0, 0, 64};
+  const tetproof_points points{a->points, a->point_count, 0, 0};
+  const tetproof_integers tets{a->tets, a->tet_count, 0, 0, 0, 32};
+  const Report of_arrays = made<tetproof_report>([&](auto** out, auto* error) {
+    return tetproof_judge(&points, &tets, &regions, nullptr, nullptr, out, error);
+  });
+  const auto html = [&](const tetproof_surface* surface) {
+    return made<char>([&](char** out, auto* error) {
+      return tetproof_report_html(of_arrays.get(), &points, &tets, surface, "</title><b>", out, error);
+    });
+  };
+  const std::string of_two = html(nullptr).get();
+  EXPECT_NE(of_two.find("<td>region 9</td>"), std::string::npos);
+  EXPECT_EQ(of_two.find("</title><b>"), std::string::npos);
+  EXPECT_EQ(refused<char>(TETPROOF_BAD_ARGUMENT,
+                          [&](char** out, auto* error) {
+                            return tetproof_report_html(of_arrays.get(), &points, &tets, octahedron.get(),
+                                                        "a", out, error);
+                          }),
+            "the report is of a mesh without a surface, and a surface of 8 triangles is given");
+}
+
 TEST(CProgram, MakesTheGridOfTetproofMesh) {
   const ScratchFolder files;
   const Surface torus = opened("torus:R=1,r=0.4,n=800");

@@ -8,6 +8,7 @@ import os
 import pathlib
 import signal
 import threading
+import warnings
 from fractions import Fraction
 
 import numpy as np
@@ -161,6 +162,19 @@ def test_junit_and_defects(inverted, tmp_path, program):
     tetproof.write(tmp_path / "defects.vtu", report.defects())
     assert len(tetproof.read(tmp_path / "defects.vtu").tets) == 2
     assert len(tetproof.verify(*inverted, check="flat").defects().points) == 0
+
+
+def test_pages_are_those_of_the_program(inverted, tmp_path, corpus, program):
+    mesh = corpus / "formats/meshes/two_41_text.msh"
+    page = tmp_path / "page.html"
+    for against in ([], ["octahedron", "--fidelity", "0.5"]):
+        assert program("tetproof-verify", mesh, *against, "--html", page)[0] in (0, 1, 4)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", tetproof.FileWarning)
+            report = tetproof.verify(mesh, *against[:1], fidelity=0.5 if against else 1e-3)
+        assert report.to_html(str(mesh)) == page.read_text()
+    html = tetproof.verify(*inverted).to_html("</script><b>")
+    assert "inverted" in html and "</script><b>" not in html and "&lt;/script&gt;&lt;b&gt;" in html
 
 
 def test_any_number_of_threads(two_tets):

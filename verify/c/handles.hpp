@@ -47,14 +47,18 @@ struct tetproof_document {
   mutable std::unique_ptr<const tetproof::c::DocumentView> view_;
 };
 
-/// A report with the numbers that it names elements by, and its records.
+/// A report with the numbers that it names elements by, the regions that were judged, and its records.
 struct tetproof_report {
-  tetproof_report(tetproof::verify::Report made, tetproof::Numbering names)
-      : report(std::move(made)), numbering(std::move(names)), records(report, numbering) {}
+  tetproof_report(tetproof::verify::Report made, tetproof::Numbering names, tetproof::TetRegions judged)
+      : report(std::move(made)),
+        numbering(std::move(names)),
+        regions(std::move(judged)),
+        records(report, numbering) {}
   tetproof_report(const tetproof_report&) = delete;
   tetproof_report& operator=(const tetproof_report&) = delete;
 
   const tetproof::verify::Report report;
   const tetproof::Numbering numbering;
+  const tetproof::TetRegions regions;
   const tetproof::c::Records records;
 };

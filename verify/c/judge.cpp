@@ -10,6 +10,7 @@
 #include "verify/c/handles.hpp"
 #include "verify/c/options.hpp"
 #include "verify/defects.hpp"
+#include "verify/report_page.hpp"
 
 using namespace tetproof;
 using namespace tetproof::c;
@@ -48,7 +49,7 @@ TetRegions regions_of(const tetproof_integers& array, std::size_t tets, const st
   return regions;
 }
 
-verify::Report verdict(const TetMesh& mesh, const tetproof_surface* surface, verify::Options options) {
+verify::Report verdict(const TetMesh& mesh, const tetproof_surface* surface, verify::Options& options) {
   if (!surface) return verify::verify(mesh, options);
   verify::add_unread_surface(options.unjudged, surface->dropped);
   try {
@@ -66,19 +67,47 @@ std::string no_tetrahedra(const std::string& mesh, const verify::Unjudged& unjud
   return fmt::format("{}: holds no tetrahedra{}", mesh, others);
 }
 
-void hand_over(verify::Report report, Numbering numbering, tetproof_report*& result) {
-  result = std::make_unique<tetproof_report>(std::move(report), std::move(numbering)).release();
+std::unique_ptr<tetproof_report> judged(const TetMesh& mesh, Numbering numbering,
+                                        const tetproof_surface* surface, verify::Options& options) {
+  verify::Report report = verdict(mesh, surface, options);
+  return std::make_unique<tetproof_report>(
+      std::move(report), std::move(numbering),
+      TetRegions{std::move(options.regions), std::move(options.region_tags)});
 }
 
-std::unique_ptr<tetproof_document> defects_of(const TetMesh& mesh, const tetproof_report& report) {
+// Refuses another mesh than that of the report, as far as its counts tell.
+void check_mesh(const TetMesh& mesh, const tetproof_report& report) {
   const verify::Shape& judged = report.report.mesh;
   if (judged.points != static_cast<std::int64_t>(mesh.points.size()) ||
       judged.tets != static_cast<std::int64_t>(mesh.tets.size()))
     refuse_argument(fmt::format("the report is of {} tetrahedra and {} points, and the mesh has {} and {}",
                                 judged.tets, judged.points, mesh.tets.size(), mesh.points.size()));
+}
+
+std::unique_ptr<tetproof_document> defects_of(const TetMesh& mesh, const tetproof_report& report) {
+  check_mesh(mesh, report);
   auto made = std::make_unique<tetproof_document>();
   made->document = verify::defects_document(mesh, report.numbering, report.report);
   return made;
+}
+
+char* page_of(const TetMesh& mesh, const tetproof_report& report, const tetproof_surface* surface,
+              const char* mesh_name) {
+  check_mesh(mesh, report);
+  const std::optional<verify::Shape>& judged = report.report.surface;
+  const std::int64_t triangles = surface ? static_cast<std::int64_t>(surface->surface.triangles.size()) : 0;
+  if (judged.has_value() != (surface != nullptr) || (judged && judged->boundary_faces != triangles))
+    refuse_argument(fmt::format("the report is of {}, and {} is given",
+                                judged ? fmt::format("a surface of {} triangles", judged->boundary_faces)
+                                       : "a mesh without a surface",
+                                surface ? fmt::format("a surface of {} triangles", triangles) : "none"));
+  return text_for_caller(verify::report_page(report.report, {.mesh = mesh,
+                                                             .numbering = report.numbering,
+                                                             .mesh_name = mesh_name,
+                                                             .surface = surface ? &surface->surface : nullptr,
+                                                             .surface_name = surface ? surface->name : "",
+                                                             .regions = report.regions.of_tet,
+                                                             .region_tags = report.regions.tags}));
 }
 
 }  // namespace
@@ -98,7 +127,7 @@ tetproof_status tetproof_judge(const tetproof_points* points, const tetproof_int
     }
     if (named.mesh.tets.empty()) throw InputError(no_tetrahedra("the mesh", {}));
     on_threads(judge.threads, [&] {
-      hand_over(verdict(named.mesh, surface, std::move(judge.options)), std::move(named.numbering), result);
+      result = judged(named.mesh, std::move(named.numbering), surface, judge.options).release();
     });
   });
 }
@@ -120,7 +149,7 @@ tetproof_status tetproof_judge_document(const tetproof_document* document, const
       if (mesh.tets.empty())
         throw InputError(
             no_tetrahedra(from.path.empty() ? "the document" : from.path, judge.options.unjudged));
-      hand_over(verdict(mesh, surface, std::move(judge.options)), numbering(from), result);
+      result = judged(mesh, numbering(from), surface, judge.options).release();
     });
   });
 }
@@ -142,6 +171,31 @@ tetproof_status tetproof_report_document_defects(const tetproof_report* report,
     tetproof_document*& result = result_of(defects, "defects");
     const Document& from = needed(document, "document").document;
     on_threads(0, [&] { result = defects_of(tet_mesh(from), needed(report, "report")).release(); });
+  });
+}
+
+tetproof_status tetproof_report_html(const tetproof_report* report, const tetproof_points* points,
+                                     const tetproof_integers* tets, const tetproof_surface* surface,
+                                     const char* mesh_name, char** html, tetproof_error* error) {
+  return guarded(error, [&] {
+    char*& result = result_of(html, "html");
+    const Named named = mesh_of(needed(points, "points"), needed(tets, "tets"));
+    on_threads(0, [&] {
+      result = page_of(named.mesh, needed(report, "report"), surface, &needed(mesh_name, "mesh_name"));
+    });
+  });
+}
+
+tetproof_status tetproof_report_document_html(const tetproof_report* report,
+                                              const tetproof_document* document,
+                                              const tetproof_surface* surface, const char* mesh_name,
+                                              char** html, tetproof_error* error) {
+  return guarded(error, [&] {
+    char*& result = result_of(html, "html");
+    const Document& from = needed(document, "document").document;
+    on_threads(0, [&] {
+      result = page_of(tet_mesh(from), needed(report, "report"), surface, &needed(mesh_name, "mesh_name"));
+    });
   });
 }
 

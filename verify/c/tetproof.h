@@ -231,6 +231,21 @@ TETPROOF_API tetproof_status tetproof_report_text(const tetproof_report* report,
 TETPROOF_API tetproof_status tetproof_report_junit(const tetproof_report* report, const char* mesh,
                                                    char** xml, tetproof_error* error);
 
+/* The report as a page of HTML that opens from disk in any browser, with the mesh, the surface and the
+ * defects in three dimensions: the bytes that `tetproof-verify --html` writes. The mesh and the surface
+ * (null: none) are those of the report; `mesh_name` is what the mesh is called on the page. BAD_ARGUMENT:
+ * other counts of points, tetrahedra or triangles. */
+TETPROOF_API tetproof_status tetproof_report_html(const tetproof_report* report,
+                                                  const tetproof_points* points,
+                                                  const tetproof_integers* tets,
+                                                  const tetproof_surface* surface, const char* mesh_name,
+                                                  char** html, tetproof_error* error);
+TETPROOF_API tetproof_status tetproof_report_document_html(const tetproof_report* report,
+                                                           const tetproof_document* document,
+                                                           const tetproof_surface* surface,
+                                                           const char* mesh_name, char** html,
+                                                           tetproof_error* error);
+
 /* The broken elements for a viewer, with one ring of tetrahedra around them: the document that
  * `tetproof-verify --defects` writes; .vtu is for ParaView. The mesh is that of the report, as arrays or as a
  * document. BAD_ARGUMENT: it has other counts of points and tetrahedra. */

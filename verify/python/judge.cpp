@@ -10,6 +10,7 @@
 #include "verify/defects.hpp"
 #include "verify/findings_text.hpp"
 #include "verify/python/interface.hpp"
+#include "verify/report_page.hpp"
 #include "verify/reports/verdict.hpp"
 #include "verify/verify.hpp"
 
@@ -24,11 +25,11 @@ struct Mesh {
   verify::Unjudged unjudged;
 };
 
-// A report, the numbers that it uses, and the mesh if there are findings.
+// A report, and what it is of.
 struct Judged {
   verify::Report report;
-  Numbering numbering;
-  std::shared_ptr<const TetMesh> mesh;
+  Mesh of;
+  std::shared_ptr<const Surface> surface;  // null: none
 };
 
 template <std::size_t N, class Number>
@@ -70,12 +71,6 @@ verify::Region region_of(const std::string& word) {
                              : verify::Region::none;
 }
 
-bool has_findings(const verify::Report& report) {
-  for (const verify::CheckResult& result : report.checks)
-    if (!result.findings.empty()) return true;
-  return false;
-}
-
 Judged judge(const Mesh& mesh, const std::shared_ptr<const Surface>& surface, verify::Options options,
              const std::string& region, std::optional<double> timeout, int threads) {
   return run(threads, [&] {
@@ -86,7 +81,7 @@ Judged judge(const Mesh& mesh, const std::shared_ptr<const Surface>& surface, ve
     }
     options.region = region_of(region);
     options.unjudged = mesh.unjudged;
-    Judged judged{{}, mesh.numbering, nullptr};
+    Judged judged{{}, mesh, surface};
     if (surface) {
       verify::add_unread_surface(options.unjudged, surface->file().dropped);
       try {
@@ -97,7 +92,6 @@ Judged judge(const Mesh& mesh, const std::shared_ptr<const Surface>& surface, ve
     } else {
       judged.report = verify::verify(*mesh.mesh, options);
     }
-    if (has_findings(judged.report)) judged.mesh = mesh.mesh;
     return judged;
   });
 }
@@ -113,8 +107,17 @@ std::vector<std::vector<std::vector<Index>>> rows(const Judged& judged) {
 }
 
 Document defects(const Judged& judged) {
-  const TetMesh none;
-  return verify::defects_document(judged.mesh ? *judged.mesh : none, judged.numbering, judged.report);
+  return verify::defects_document(*judged.of.mesh, judged.of.numbering, judged.report);
+}
+
+std::string html(const Judged& judged, const std::string& name) {
+  return verify::report_page(judged.report, {.mesh = *judged.of.mesh,
+                                             .numbering = judged.of.numbering,
+                                             .mesh_name = name,
+                                             .surface = judged.surface ? &judged.surface->surface() : nullptr,
+                                             .surface_name = judged.surface ? judged.surface->name() : "",
+                                             .regions = judged.of.regions.of_tet,
+                                             .region_tags = judged.of.regions.tags});
 }
 
 }  // namespace
@@ -164,19 +167,25 @@ void bind_judge(py::module_& module) {
   py::class_<Judged>(module, "Report")
       .def_property_readonly("verdict",
                              [](const Judged& judged) { return verify::verdict_word(judged.report); })
-      .def("text", [](const Judged& j) { return text(verify::report_text(j.report, j.numbering)); })
+      .def("text", [](const Judged& j) { return text(verify::report_text(j.report, j.of.numbering)); })
       .def("verdict_text", [](const Judged& j) { return text(verify::verdict_text(j.report)); })
       .def(
           "failure_text",
           [](const Judged& j, std::size_t most) {
-            return text(verify::failure_text(j.report, j.numbering, most));
+            return text(verify::failure_text(j.report, j.of.numbering, most));
           },
           py::arg("most"))
-      .def("json", [](const Judged& j) { return text(verify::report_json(j.report, j.numbering)); })
+      .def("json", [](const Judged& j) { return text(verify::report_json(j.report, j.of.numbering)); })
       .def(
           "junit",
           [](const Judged& j, const std::string& name) {
-            return text(verify::report_junit(j.report, name, j.numbering));
+            return text(verify::report_junit(j.report, name, j.of.numbering));
+          },
+          py::arg("name"))
+      .def(
+          "html",
+          [](const Judged& judged, const std::string& name) {
+            return text(run(0, [&] { return html(judged, name); }));
           },
           py::arg("name"))
       .def("rows", &rows)

@@ -63,7 +63,7 @@ class Report:
 
     `str(report)` is the report for people, `to_dict()` what `tetproof-verify --json` writes. A report has
     three verdicts, so it is neither true nor false: ask for `report.sound`. In a notebook it shows as a
-    table.
+    table. It keeps its copy of the mesh, for `defects` and `to_html`.
     """
 
     def __init__(self, core: _core.Report) -> None:
@@ -136,6 +136,12 @@ class Report:
     def to_junit(self, name: str = "mesh") -> str:
         """The report as JUnit XML, with a test case for each check. `name`: what the mesh is called there."""
         return self._core.junit(name)
+
+    def to_html(self, name: str = "mesh") -> str:
+        """The page that `tetproof-verify --html` writes: findings, checks, histograms, and the mesh with its
+        defects in three dimensions. It opens from disk in any browser. `name`: what the mesh is called there.
+        """
+        return self._core.html(name)
 
     def failure_text(self, most: int = 5) -> str:
         """The verdict, what was not judged, and the checks that failed, with the first `most` findings in
