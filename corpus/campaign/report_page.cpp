@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "corpus/campaign/group_text.hpp"
 #include "corpus/campaign/tallies.hpp"
 #include "corpus/report/finding_page.hpp"
 #include "io/error.hpp"
@@ -32,13 +33,14 @@ PageCell number(std::int64_t n) {
   return {.text = fmt::format("{}", n), .number = true};
 }
 
-void add_tally(io::Page& page, const char* id, const char* title, const std::vector<TallyRow>& tally) {
+void add_tally(io::Page& page, const char* id, const char* title, const std::vector<TallyRow>& tally,
+               const std::vector<Outcome>& outcomes) {
   std::vector<std::string> columns{"", "cases"};
-  for (const Outcome outcome : outcomes_in_order()) columns.emplace_back(name_of(outcome));
+  for (const Outcome outcome : outcomes) columns.emplace_back(name_of(outcome));
   std::vector<PageRow> rows;
   for (const auto& [name, counts] : tally) {
     PageRow row{{.text = name}, number(counts.cases())};
-    for (const Outcome outcome : outcomes_in_order()) {
+    for (const Outcome outcome : outcomes) {
       PageCell cell = number(counts.count(outcome));
       if (is_finding(outcome) && counts.count(outcome) > 0) cell.kind = "fail";
       row.push_back(std::move(cell));
@@ -110,9 +112,12 @@ void write_campaign_pages(const CampaignResult& result, const CampaignPages& pag
                {"mesher", "outcome", "signature", "cases", "surfaces", "smallest [triangles]", "shrunk to",
                 "finding", "picture", ""},
                rows);
+  std::size_t number = 0;
+  for (const FailureGroup& group : result.groups) page.lines(group_text(result, group, ++number));
   for (const std::string& id : result.known_unseen) page.paragraph("Known, and did not occur: " + id);
-  add_tally(page, "by-mesher", "By mesher", tally_by_mesher(result));
-  add_tally(page, "by-kind", "By kind of surface", tally_by_kind(result));
+  const std::vector<Outcome> outcomes = shown_outcomes(result);
+  add_tally(page, "by-mesher", "By mesher", tally_by_mesher(result), outcomes);
+  add_tally(page, "by-kind", "By kind of surface", tally_by_kind(result), outcomes);
   pages.write(pages.path, page.text());
 }
 

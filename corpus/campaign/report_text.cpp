@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "corpus/campaign/group_text.hpp"
 #include "corpus/campaign/settings.hpp"
 #include "corpus/campaign/tallies.hpp"
 #include "corpus/campaign/text_table.hpp"
@@ -12,17 +13,6 @@
 
 namespace tetproof::corpus {
 namespace {
-
-// The outcomes that get a column: those that occur, and always these three, because "none of them" is said.
-std::vector<Outcome> columns_of(const CampaignResult& result) {
-  const Tally all = tally_of_all(result);
-  std::vector<Outcome> columns;
-  for (const Outcome outcome : outcomes_in_order())
-    if (all.count(outcome) > 0 || outcome == Outcome::sound || outcome == Outcome::slow ||
-        outcome == Outcome::not_judged)
-      columns.push_back(outcome);
-  return columns;
-}
 
 std::string table(const char* head, const std::vector<TallyRow>& rows, const std::vector<Outcome>& columns) {
   std::vector<std::vector<std::string>> cells{{head, "cases"}};
@@ -58,6 +48,8 @@ std::string shrunk_text(const ShrunkCase& shrunk) {
   return text + "\n";
 }
 
+}  // namespace
+
 std::string group_text(const CampaignResult& result, const FailureGroup& group, std::size_t number) {
   const CaseResult& first = group.cases.front();
   std::string text = fmt::format("{}. {}{}\n", number, printable(group.id()), group.known ? "  (known)" : "");
@@ -73,10 +65,8 @@ std::string group_text(const CampaignResult& result, const FailureGroup& group, 
   return text;
 }
 
-}  // namespace
-
 std::string campaign_text(const CampaignResult& result) {
-  const std::vector<Outcome> columns = columns_of(result);
+  const std::vector<Outcome> columns = shown_outcomes(result);
   std::string text = summary_line(result) + "\n\n";
   text += table("mesher", tally_by_mesher(result), columns);
   text += table("kind of surface", tally_by_kind(result), columns);

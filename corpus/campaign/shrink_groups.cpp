@@ -178,6 +178,7 @@ ShrunkCase shrink_group(const Mesher& mesher, const FailureGroup& group, const C
                           .mesher = &mesher,
                           .run = std::move(counted.first.run),
                           .judgement = std::move(counted.first.judgement),
+                          .checks = options.judge.check,
                           .repeats = counted.repeats,
                           .failed = counted.failed,
                           .cases = static_cast<std::int64_t>(group.cases.size()),

@@ -50,6 +50,16 @@ const std::array<Outcome, outcome_count>& outcomes_in_order() {
   return order;
 }
 
+std::vector<Outcome> shown_outcomes(const CampaignResult& result) {
+  const Tally all = tally_of_all(result);
+  std::vector<Outcome> shown;
+  for (const Outcome outcome : outcomes_in_order())
+    if (all.count(outcome) > 0 || outcome == Outcome::sound || outcome == Outcome::slow ||
+        outcome == Outcome::not_judged)
+      shown.push_back(outcome);
+  return shown;
+}
+
 Tally tally_of_all(const CampaignResult& result) {
   return tally(result.cases, [](const CaseResult&) { return ""; })[""];
 }

@@ -30,6 +30,9 @@ std::vector<TallyRow> tally_by_kind(const CampaignResult& result);    ///< by na
 
 /// All outcomes in the order of the tables: sound, the findings with the worst first, the rest.
 const std::array<Outcome, outcome_count>& outcomes_in_order();
+/// The outcomes that get a column for people: those that occur, and always sound, slow and not_judged,
+/// because "none of them" is said.
+std::vector<Outcome> shown_outcomes(const CampaignResult& result);
 
 /// The kind of a recipe: its root, "cylinder" of "cylinder(n=32)+offset(x=1)". "other" without a recipe.
 std::string kind_of_recipe(const std::string& recipe);

@@ -10,8 +10,11 @@ namespace tetproof::corpus {
 /// A terminal must not take what a program printed for commands: control characters become '?'.
 std::string printable(std::string text);
 
-/// The rows, the head first, in columns that are as wide as their widest cell: the first one to the left,
+/// Rows of cells, the head first.
+using TextRows = std::vector<std::vector<std::string>>;
+
+/// The rows in columns that are as wide as their widest cell: the first one to the left,
 /// numbers to the right. Control characters become '?'.
-std::string text_table(const std::vector<std::vector<std::string>>& rows);
+std::string text_table(const TextRows& rows);
 
 }  // namespace tetproof::corpus

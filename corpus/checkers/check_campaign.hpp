@@ -93,6 +93,8 @@ GradeCounts count_grades(const CheckResult& result, const std::string& checker, 
 /// The matrix for people: a row for each kind, a column for each checker.
 std::string check_text(const CheckResult& result);
 std::string check_json(const CheckResult& result);
+/// The same as a page of HTML, with what is known about the meshes that are kept in `folder`.
+std::string check_page(const CheckResult& result, const std::string& folder);
 /// A suite for each checker, a test case for each kind.
 std::string check_junit(const CheckResult& result);
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "corpus/campaign/junit_suite.hpp"
+#include "corpus/campaign/plain_page.hpp"
 #include "corpus/campaign/text_table.hpp"
 #include "corpus/checkers/check_campaign.hpp"
 #include "corpus/meshing/command_words.hpp"
@@ -57,7 +58,7 @@ std::string summary_of(const CheckResult& result) {
   return line;
 }
 
-std::string totals_table(const CheckResult& result) {
+TextRows totals_rows(const CheckResult& result) {
   std::vector<Grade> columns;
   for (int g = 0; g < grade_count; ++g) {
     const auto grade = static_cast<Grade>(g);
@@ -66,25 +67,25 @@ std::string totals_table(const CheckResult& result) {
       used = used || of(count_grades(result, checker.name), grade) > 0;
     if (used) columns.push_back(grade);
   }
-  std::vector<std::vector<std::string>> rows{{"checker", "meshes"}};
+  TextRows rows{{"checker", "meshes"}};
   for (const Grade grade : columns) rows[0].emplace_back(name_of(grade));
   for (const Checker& checker : result.checkers) {
     const GradeCounts counts = count_grades(result, checker.name);
     auto& row = rows.emplace_back(std::vector{checker.name, std::to_string(total(counts))});
     for (const Grade grade : columns) row.push_back(std::to_string(of(counts, grade)));
   }
-  return text_table(rows) + "\n";
+  return rows;
 }
 
-std::string matrix(const CheckResult& result) {
-  std::vector<std::vector<std::string>> rows{{"kind of defect"}};
+TextRows matrix_rows(const CheckResult& result) {
+  TextRows rows{{"kind of defect"}};
   for (const Checker& checker : result.checkers) rows[0].push_back(checker.name);
   for (const std::string& kind : result.kinds) {
     auto& row = rows.emplace_back(std::vector{kind});
     for (const Checker& checker : result.checkers)
       row.push_back(cell(count_grades(result, checker.name, kind)));
   }
-  return text_table(rows) + "\n";
+  return rows;
 }
 
 std::string finding_text(const CheckFinding& finding, std::size_t number) {
@@ -112,12 +113,7 @@ Json case_json(const CheckedCase& one) {
           {"grade", name_of(one.grade)}, {"signature", one.signature}, {"what", one.what}};
 }
 
-}  // namespace
-
-std::string check_text(const CheckResult& result) {
-  std::string text = summary_of(result) + "\n\n" + totals_table(result) + matrix(result);
-  std::size_t number = 0;
-  for (const CheckFinding& finding : result.findings) text += finding_text(finding, ++number);
+std::vector<std::string> reasons_without_answer(const CheckResult& result) {
   // Each reason once: a format is named, not its every mesh.
   std::vector<std::string> reasons;
   for (const CheckedCase& one : result.cases) {
@@ -126,8 +122,36 @@ std::string check_text(const CheckResult& result) {
         fmt::format("{}: {}: {}: {}", one.checker, name_of(one.grade), one.kind, one.what);
     if (std::find(reasons.begin(), reasons.end(), line) == reasons.end()) reasons.push_back(line);
   }
-  for (const std::string& line : reasons) text += "not asked or no answer: " + printable(line) + "\n";
+  return reasons;
+}
+
+}  // namespace
+
+std::string check_text(const CheckResult& result) {
+  std::string text = summary_of(result) + "\n\n" + text_table(totals_rows(result)) + "\n" +
+                     text_table(matrix_rows(result)) + "\n";
+  std::size_t number = 0;
+  for (const CheckFinding& finding : result.findings) text += finding_text(finding, ++number);
+  for (const std::string& line : reasons_without_answer(result))
+    text += "not asked or no answer: " + printable(line) + "\n";
   return text;
+}
+
+std::string check_page(const CheckResult& result, const std::string& folder) {
+  PlainPage page{.title = "Checkers on planted defects",
+                 .summary = summary_of(result),
+                 .tables = {{"checkers", "By checker", totals_rows(result)},
+                            {"kinds", "By kind of defect", matrix_rows(result)}},
+                 .remarks = reasons_without_answer(result)};
+  std::size_t number = 0;
+  for (const CheckFinding& finding : result.findings)
+    page.findings.push_back(finding_text(finding, ++number) + "\n" + readme_beside(folder, finding.file));
+  const bool all_said = page.remarks.empty();
+  page.verdict = !page.findings.empty() ? io::counted(page.findings.size(), "groups of findings")
+                 : all_said             ? "nothing found"
+                                        : "nothing found, but not all was answered";
+  page.verdict_kind = !page.findings.empty() ? "fail" : all_said ? "pass" : "warning";
+  return plain_page(page);
 }
 
 std::string check_json(const CheckResult& result) {

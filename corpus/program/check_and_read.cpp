@@ -76,16 +76,21 @@ std::vector<Checker> checkers_of(const FuzzArguments& a) {
   return all;
 }
 
+struct Reports {
+  std::string text, json, junit, html;
+};
+
 // Writes what was asked for, and the same into the folder of --out.
-void report(const std::string& text, const std::string& json, const std::string& junit,
-            const FuzzArguments& a, const program::Common& common, const program::FilesInUse& files) {
+void report(const Reports& reports, const FuzzArguments& a, const program::Common& common,
+            const program::FilesInUse& files) {
   if (!a.out.empty()) {
-    program::write_text(a.out + "/report.txt", text);
-    program::write_text(a.out + "/report.json", json);
+    program::write_text(a.out + "/report.txt", reports.text);
+    program::write_text(a.out + "/report.json", reports.json);
   }
-  if (!common.json.empty()) program::write_text(common.json, json);
-  if (!a.junit.empty()) program::write_text(a.junit, junit);
-  if (!files.standard_output_is_taken()) program::write_text("-", text);
+  if (!common.json.empty()) program::write_text(common.json, reports.json);
+  if (!a.junit.empty()) program::write_text(a.junit, reports.junit);
+  if (!a.html.empty()) program::write_text(a.html, reports.html);
+  if (!files.standard_output_is_taken()) program::write_text("-", reports.text);
 }
 
 // A folder that cannot be made is said before the work begins.
@@ -113,7 +118,8 @@ int judge(const FuzzArguments& a, const program::Common& common, const program::
   options.progress = [&](const CheckedCase& one) { status.add(is_finding(one.grade)); };
   const CheckResult result = run_checkers(checkers, options);
   status.clear();
-  report(check_text(result), check_json(result), check_junit(result), a, common, files);
+  report({check_text(result), check_json(result), check_junit(result), check_page(result, a.out)}, a, common,
+         files);
   if (!result.findings.empty()) return program::wrong;
   return std::any_of(result.cases.begin(), result.cases.end(),
                      [](const CheckedCase& one) { return is_unasked(one.grade); })
@@ -141,7 +147,8 @@ int read(const FuzzArguments& a, const program::Common& common, const program::F
   options.progress = [&](const ReadCase& one) { status->add(is_finding(one.run.reading)); };
   const ReadResult result = run_reader_campaign(reader, options);
   status.reset();
-  report(read_text(result), read_json(result), read_junit(result), a, common, files);
+  report({read_text(result), read_json(result), read_junit(result), read_page(result, a.out)}, a, common,
+         files);
   if (std::any_of(result.groups.begin(), result.groups.end(),
                   [](const ReadGroup& group) { return !group.known; }))
     return program::wrong;

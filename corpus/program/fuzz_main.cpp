@@ -135,7 +135,6 @@ int work(const FuzzArguments& a, const program::Common& common) {
   if (!a.known.empty()) files.reads("--known", a.known);
   files.writes("--junit", a.junit);
   files.writes("--html", a.html);
-  if (others && !a.html.empty()) throw InputError("--html is not for --judge and --reader");
   if (others) return check_or_read(a, common, files);
   if (!a.replay.empty()) return replay(a, common);
   CampaignResult result;

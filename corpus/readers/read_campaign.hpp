@@ -100,6 +100,8 @@ std::vector<const ReadCase*> refused_valid_files(const ReadResult& result);
 
 std::string read_text(const ReadResult& result);
 std::string read_json(const ReadResult& result);
+/// The same as a page of HTML, with what is known about the files that are kept in `folder`.
+std::string read_page(const ReadResult& result, const std::string& folder);
 std::string read_junit(const ReadResult& result);
 
 }  // namespace tetproof::corpus

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "corpus/campaign/junit_suite.hpp"
+#include "corpus/campaign/plain_page.hpp"
 #include "corpus/campaign/text_table.hpp"
 #include "corpus/meshing/command_words.hpp"
 #include "corpus/readers/read_campaign.hpp"
@@ -80,9 +81,8 @@ std::string summary_of(const ReadResult& result) {
   return line;
 }
 
-std::string table(const char* head, const Rows& rows) {
-  std::vector<std::vector<std::string>> cells{
-      {head, "files", "read", "of these changed, unnoticed", "refused"}};
+TextRows cells_of(const char* head, const Rows& rows) {
+  TextRows cells{{head, "files", "read", "of these changed, unnoticed", "refused"}};
   for (int r = 0; r < reading_count; ++r)
     if (is_finding(static_cast<Reading>(r))) cells[0].emplace_back(name_of(static_cast<Reading>(r)));
   for (const auto& [name, counts] : rows.rows) {
@@ -93,7 +93,11 @@ std::string table(const char* head, const Rows& rows) {
       if (is_finding(static_cast<Reading>(r)))
         row.push_back(std::to_string(counts.of[static_cast<std::size_t>(r)]));
   }
-  return text_table(cells) + "\n";
+  return cells;
+}
+
+std::string table(const char* head, const Rows& rows) {
+  return text_table(cells_of(head, rows)) + "\n";
 }
 
 std::string details(const ReadGroup& group) {
@@ -132,6 +136,18 @@ Json rows_json(const Rows& rows) {
   return json;
 }
 
+std::vector<std::string> remarks(const ReadResult& result) {
+  std::vector<std::string> lines;
+  for (const std::string& id : result.known_unseen)
+    lines.push_back("known, and did not occur: " + printable(id));
+  for (const std::string& id : result.not_applied)
+    lines.push_back("asked for, and applied to no file: " + id);
+  for (const ReadCase* one : refused_valid_files(result))
+    lines.push_back(fmt::format("refused, though valid: {} ({}): {}", one->form, one->document,
+                                printable(one->run.message)));
+  return lines;
+}
+
 }  // namespace
 
 std::string read_text(const ReadResult& result) {
@@ -145,13 +161,27 @@ std::string read_text(const ReadResult& result) {
     for (std::size_t at = 0; at < more.size(); at = more.find('\n', at) + 1)
       text += "  " + more.substr(at, more.find('\n', at) + 1 - at);
   }
-  for (const std::string& id : result.known_unseen)
-    text += "known, and did not occur: " + printable(id) + "\n";
-  for (const std::string& id : result.not_applied) text += "asked for, and applied to no file: " + id + "\n";
-  for (const ReadCase* one : refused_valid_files(result))
-    text += fmt::format("refused, though valid: {} ({}): {}\n", one->form, one->document,
-                        printable(one->run.message));
+  for (const std::string& line : remarks(result)) text += line + "\n";
   return text;
+}
+
+std::string read_page(const ReadResult& result, const std::string& folder) {
+  PlainPage page{.title = printable(result.reader.name) + " on damaged files",
+                 .summary = summary_of(result),
+                 .tables = {{"formats", "By format", cells_of("format", rows_of(result, &ReadCase::form))},
+                            {"damages", "By damage", cells_of("damage", rows_of(result, &ReadCase::damage))}},
+                 .remarks = remarks(result)};
+  for (const ReadGroup& group : result.groups)
+    page.findings.push_back(fmt::format(
+        "{}{}\n{}\n{}\n{}", printable(group.id()), group.known ? "  (known)" : "",
+        io::counted(group.cases.size(), "files"), details(group), readme_beside(folder, group.file)));
+  const std::int64_t fresh = new_groups(result);
+  const bool all_said = refused_valid_files(result).empty() && result.not_applied.empty();
+  page.verdict = fresh > 0  ? fmt::format("{} new", fresh)
+                 : all_said ? "nothing new"
+                            : "nothing new, but not all was tried";
+  page.verdict_kind = fresh > 0 ? "fail" : all_said ? "pass" : "warning";
+  return plain_page(page);
 }
 
 std::string read_json(const ReadResult& result) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "corpus/fuzz_surface.hpp"
 #include "corpus/meshing/judgement.hpp"
@@ -21,6 +22,7 @@ struct FindingFacts {
   const Mesher* mesher = nullptr;
   MesherRun run;                          ///< of the shrunk surface; its mesh file still exists
   Judgement judgement;                    ///< of `run`
+  std::vector<std::string> checks{};      ///< the only ones that were asked for; empty: all
   int repeats = 1, failed = 1;            ///< of the shrunk surface: "3 of 20"
   std::int64_t cases = 1, cases_run = 1;  ///< how many of all cases fall into this group
   /// The folder in which `run` was made, whose files called "surface" (in the mesher's own format, with what

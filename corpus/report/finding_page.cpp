@@ -28,10 +28,28 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// As the campaign judged a mesh against the surface. What finding.json does not say, because an earlier
+// version wrote it, is taken from the finding's report.
+void judge_as_then(verify::Options& options, const nlohmann::json& facts, const nlohmann::json& report,
+                   double diagonal) {
+  options.region = verify::Region::inside;
+  const nlohmann::json judged = facts.value("judged", nlohmann::json::object());
+  options.coarse = judged.value("coarse", false);
+  options.strict_topology = !options.coarse;
+  // The box of a grid from a coarse lattice says nothing.
+  if (options.coarse && options.check.size() != 1)
+    options.skip = {verify::info(verify::Check::bounding_box).id};
+  const bool measured = report.contains("fidelity") && report["fidelity"].is_object();
+  if (judged.contains("allowed"))
+    options.fidelity = judged.value("allowed", 0.0) / diagonal;
+  else if (measured)
+    options.fidelity = report["fidelity"].value("allowed", 0.0) / diagonal;
+}
+
 // The mesh as the finding's own report judged it: alone, or against the surface within the distance that was
 // allowed then.
 io::Page page_of_mesh(const std::string& name, const std::string& folder, const std::string& file,
-                      const TriangleSurface& surface) {
+                      const TriangleSurface& surface, const nlohmann::json& facts) {
   const Document document = read_document(folder + "/" + file);
   const TetMesh mesh = tet_mesh(document);
   const Numbering numbers = numbering(document);
@@ -40,6 +58,7 @@ io::Page page_of_mesh(const std::string& name, const std::string& folder, const 
   if (!then.is_object()) throw InputError(folder + "/report.json: expected a JSON object");
   verify::Options options{
       .regions = regions.of_tet, .region_tags = regions.tags, .unjudged = verify::unjudged(document)};
+  if (facts.contains("judged")) options.check = facts["judged"].value("check", std::vector<std::string>{});
   verify::Report report;
   const bool alone = !then.contains("surface") || then["surface"].is_null();
   if (alone) {
@@ -47,10 +66,7 @@ io::Page page_of_mesh(const std::string& name, const std::string& folder, const 
   } else {
     const verify::JudgedSurface judged(surface);
     const double diagonal = (judged.report().box_max - judged.report().box_min).stableNorm();
-    options.region = verify::Region::inside;
-    options.strict_topology = true;
-    if (then.contains("fidelity") && then["fidelity"].is_object())
-      options.fidelity = then["fidelity"].value("allowed", 0.0) / diagonal;
+    judge_as_then(options, facts, then, diagonal);
     report = verify::verify(mesh, judged, options);
   }
   return verify::report_page_parts(report, {.mesh = mesh,
@@ -88,7 +104,8 @@ std::string finding_page(const std::string& folder) {
   if (!facts.is_object()) throw InputError(folder + "/finding.json: expected a JSON object");
   const TriangleSurface surface = read_surface(folder + "/surface.off");
   const std::string name = std::filesystem::path(folder).filename().string(), mesh = facts.value("mesh", "");
-  io::Page page = mesh.empty() ? page_of_surface(name, surface) : page_of_mesh(name, folder, mesh, surface);
+  io::Page page =
+      mesh.empty() ? page_of_surface(name, surface) : page_of_mesh(name, folder, mesh, surface, facts);
   page.part("finding", "The finding");
   page.lines(readme);
   if (const std::string picture = picture_address(folder); !picture.empty())

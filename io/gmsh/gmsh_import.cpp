@@ -83,6 +83,14 @@ struct Talk {
   }
 };
 
+// What the loader says of a library that is not there; empty: the program started.
+std::string missing_library(const std::string& said) {
+  constexpr std::string_view words = "error while loading shared libraries: ";
+  const std::size_t at = said.find(words);
+  if (at == std::string::npos) return "";
+  return said.substr(at + words.size(), said.find('\n', at) - at - words.size());
+}
+
 // Scripts, and files with thousands of bad elements, can cause warnings without end.
 void tell_warnings(const std::string& path, const std::vector<std::string>& said, Document& document) {
   constexpr std::size_t most = 20;
@@ -133,6 +141,9 @@ Document read_through_gmsh(const std::string& path) {
       what = fmt::format("Gmsh crashes on it (signal {}, {})", end.signal, ::strsignal(end.signal));
     else if (!talk.errors.empty())
       what = fmt::format("Gmsh: {}", talk.errors[0]);
+    else if (const std::string library = missing_library(end.said); end.exit_code == 127 && !library.empty())
+      what = fmt::format("{} is read through Gmsh, whose library is not installed: {}", ending_of(path),
+                         library);
     else if (end.exit_code != 0)
       what = fmt::format("{} ends with code {}", helper, end.exit_code);
     if (!what.empty()) throw InputError(path + ": " + what);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "io/bytes/base64.hpp"
@@ -39,6 +40,10 @@ std::string source_of(const Resource& resource) {
     bytes += static_cast<char>(std::stoi(std::string(resource.sha256.substr(i, 2)), nullptr, 16));
   return "'sha256-" + base64(bytes) + "'";
 }
+
+// In the order in which they use each other.
+const std::array<const Resource*, 8> page_scripts{&three_js,   &orbit_js,   &scene_js,  &cut_js,
+                                                  &drawing_js, &overlay_js, &viewer_js, &controls_js};
 
 // A browser drops a line end that follows the tag of a script, and the hash is of all that remains; so
 // nothing is put around the text.
@@ -85,7 +90,7 @@ void Page::lines(std::string_view text) {
 
 void Page::table(std::string_view id, const std::vector<std::string>& columns,
                  const std::vector<PageRow>& rows) {
-  body_ += fmt::format("<table id=\"{}\">\n<thead><tr>", xml_escaped(id));
+  body_ += fmt::format("<div class=\"wide\"><table id=\"{}\">\n<thead><tr>", xml_escaped(id));
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const bool number = !rows.empty() && c < rows.front().size() && rows.front()[c].number;
     body_ += fmt::format("<th scope=\"col\"{}>{}</th>", number ? " class=\"number\"" : "",
@@ -97,7 +102,7 @@ void Page::table(std::string_view id, const std::vector<std::string>& columns,
     for (const PageCell& cell : row) body_ += fmt::format("<td{}>{}</td>", kind_of(cell), content_of(cell));
     body_ += "</tr>\n";
   }
-  body_ += "</tbody>\n</table>\n";
+  body_ += "</tbody>\n</table></div>\n";
 }
 
 void Page::svg(std::string_view text) {
@@ -107,16 +112,24 @@ void Page::svg(std::string_view text) {
 void Page::view(const Scene& scene, std::string_view picture) {
   has_view_ = true;
   body_ += fmt::format(
-      "<section id=\"view\" aria-label=\"view in three dimensions\" hidden>\n<div id=\"stage\"></div>\n"
+      "<section id=\"view\" aria-label=\"view in three dimensions\" hidden>\n<div id=\"stage\">"
+      "<svg id=\"axes\" viewBox=\"-42 -42 84 84\" aria-hidden=\"true\"></svg></div>\n"
       "<div id=\"controls\"></div>\n<div id=\"told\" role=\"status\"></div>\n</section>\n"
-      "<figure id=\"picture\">{}<figcaption id=\"no-view\"></figcaption></figure>\n"
+      "<figure id=\"picture\">{}<figcaption id=\"no-view\"><noscript>Without scripts this picture stands for "
+      "the "
+      "view, and a click flies nowhere. All tables are complete.</noscript></figcaption></figure>\n"
       "<script type=\"application/json\" id=\"scene\">{}</script>\n",
       picture, scene_json(scene));
 }
 
 std::string Page::text() const {
-  const std::string scripts =
-      has_view_ ? source_of(three_js) + " " + source_of(orbit_js) + " " + source_of(viewer_js) : "'none'";
+  std::string admitted, scripts;
+  if (has_view_)
+    for (const Resource* one : page_scripts) {
+      if (!admitted.empty()) admitted += ' ';
+      admitted += source_of(*one);
+      scripts += script(*one);
+    }
   std::string page;
   fmt::format_to(std::back_inserter(page),
                  "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -125,8 +138,9 @@ std::string Page::text() const {
                  "img-src 'self' file: data:; base-uri 'none'; form-action 'none'\">\n"
                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                  "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n",
-                 scripts, source_of(page_css), xml_escaped(title_, XmlLines::keep), page_css.text, body_);
-  if (has_view_) page += std::string(three_licence) + script(three_js) + script(orbit_js) + script(viewer_js);
+                 has_view_ ? admitted : "'none'", source_of(page_css), xml_escaped(title_, XmlLines::keep),
+                 page_css.text, body_);
+  if (has_view_) page += std::string(three_licence) + scripts;
   page += "</body>\n</html>\n";
   return page;
 }

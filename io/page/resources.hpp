@@ -13,9 +13,16 @@ struct Resource {
   std::string_view sha256;  ///< 64 hexadecimal digits
 };
 
-extern const Resource three_js;   ///< three.js, the library that draws; by its authors, MIT licence
-extern const Resource orbit_js;   ///< its OrbitControls: turning and zooming
-extern const Resource viewer_js;  ///< the page's own script
-extern const Resource page_css;   ///< the page's style
+extern const Resource three_js;  ///< three.js, the library that draws; by its authors, MIT licence
+extern const Resource orbit_js;  ///< its OrbitControls: turning and zooming
+// The page's own scripts. Each uses those before it.
+extern const Resource scene_js;     ///< what the page knows of the mesh, and measures
+extern const Resource cut_js;       ///< the tetrahedra behind a plane
+extern const Resource drawing_js;   ///< triangles, edges and colours
+extern const Resource overlay_js;   ///< words over the view
+extern const Resource viewer_js;    ///< the view
+extern const Resource controls_js;  ///< the switches beside it
+
+extern const Resource page_css;  ///< the page's style
 
 }  // namespace tetproof::io

@@ -106,7 +106,8 @@ std::string scene_json(const Scene& scene) {
                               {"radius", target.radius},
                               {"text", target.text},
                               {"tets", target.tets},
-                              {"nodes", target.nodes}});
+                              {"nodes", target.nodes},
+                              {"faces", target.faces}});
   const std::string text = all.dump(-1, ' ', false, Json::error_handler_t::replace);
   // "</script>" and "<!--" mean something to a browser even inside of a text of JSON.
   std::string safe;

@@ -48,11 +48,12 @@ struct SceneMark {
 
 /// A place to fly to.
 struct SceneTarget {
-  Eigen::Vector3d middle;    ///< [length]
-  double radius = 0;         ///< of a ball around all that belongs to it [length]
-  std::string text;          ///< what it is, with the file's own numbers
-  std::vector<Index> tets;   ///< positions in `Scene::tets`, to be outlined
-  std::vector<Index> nodes;  ///< positions in `Scene::points`, to be marked
+  Eigen::Vector3d middle;                     ///< [length]
+  double radius = 0;                          ///< of a ball around all that belongs to it [length]
+  std::string text;                           ///< what it is, with the file's own numbers
+  std::vector<Index> tets;                    ///< positions in `Scene::tets`, to be outlined
+  std::vector<Index> nodes;                   ///< positions in `Scene::points`, to be marked
+  std::vector<std::array<Index, 3>> faces{};  ///< of such positions, to be outlined
 };
 
 struct Scene {
@@ -78,7 +79,7 @@ struct Scene {
 /// The triangles of a layer, whether it has them as triangles or as faces.
 std::vector<std::array<Index, 3>> triangles_of(const Scene& scene, const SceneLayer& layer);
 
-/// The scene as JSON for the page's script (viewer.js). Arrays of numbers are base64 of little-endian values;
+/// The scene as JSON for the page's scripts (scene.js). Arrays of numbers are base64 of little-endian values;
 /// the corners of tetrahedra have three bytes each, so there may be 2^24 points. No character of the text can
 /// end the element of the page that holds it. Throws std::logic_error if there are more points.
 std::string scene_json(const Scene& scene);

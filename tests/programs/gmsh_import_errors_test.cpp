@@ -112,6 +112,22 @@ TEST(GmshImport, MissingHelper) {
             "environment variable TETPROOF_GMSH_IMPORT says where it is)");
 }
 
+// The package only recommends Gmsh's library. A copy of the helper asks for one that is not there.
+TEST(GmshImport, MissingLibrary) {
+  const ScratchFolder folder;
+  std::filesystem::copy_file(program("tetproof-gmsh-import"), folder / "helper");
+  std::string helper = folder.read("helper");
+  const std::size_t name = helper.find("libgmsh.so");
+  ASSERT_NE(name, std::string::npos);
+  helper.replace(name, 7, "libnone");
+  const std::string path = folder.write("helper", helper);
+  ::chmod(path.c_str(), 0755);
+  folder.write("a.unv", "");
+  const std::string said = refusal(folder, "a.unv", {"TETPROOF_GMSH_IMPORT=" + path});
+  EXPECT_TRUE(said.starts_with(".unv is read through Gmsh, whose library is not installed: libnone.so"))
+      << said;
+}
+
 TEST(GmshImport, NoLongerThanAllowed) {
   const ScratchFolder folder;
   folder.write("a.geo", "SystemCall \"sleep 1000\";\n");

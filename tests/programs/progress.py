@@ -14,13 +14,9 @@ import subprocess
 import sys
 import tempfile
 
-failures = []
-
-
-def check(holds, what):
-    if not holds:
-        failures.append(what)
-        print("FAIL", what)
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from checks import check, finish  # noqa: E402
 
 
 def on_terminal(command, folder, term="xterm", after="2"):
@@ -113,8 +109,7 @@ def main():
         convert = [program["convert"], "g.msh", "h.vtu"]
         check(on_terminal(convert, folder, term="dumb")[2] == "", "a dumb terminal gets no line")
         check(on_terminal(convert, folder, after="")[2] == "", "less than two seconds show no line")
-    print(f"{len(failures)} failures")
-    sys.exit(1 if failures else 0)
+    finish()
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -34,6 +35,17 @@ def judged_by_program(program):
         assert code in (0, 1, 4), error
         return json.loads(out)
     return judge
+
+
+@pytest.fixture
+def said_by_pytest(tmp_path):
+    """Runs pytest on a file with this text: exit code, standard output."""
+    def run(text):
+        (tmp_path / "test_mesher.py").write_text(text)
+        done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)],
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout
+    return run
 
 
 @pytest.fixture

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Hypothesis strategy: valid surfaces, many different ones, and failures that shrink."""
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -62,14 +60,12 @@ def test_a_planted_fault_is_found_and_shrunk():
     assert not fails(tetproof.generate("fuzz:uv-sphere(n=6,m=4)"))
 
 
-def test_hypothesis_prints_the_name(tmp_path):
-    (tmp_path / "test_mesher.py").write_text(
+def test_hypothesis_prints_the_name(said_by_pytest):
+    _, out = said_by_pytest(
         "from hypothesis import given, settings\n"
         "from tetproof.strategies import surfaces\n"
         "@settings(database=None, deadline=None, derandomize=True)\n"
         "@given(surfaces(kinds=['torus'], modifiers=['none']))\n"
         "def test_mesher(surface):\n"
         "    assert len(surface.triangles) < 5\n")
-    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)],
-                          capture_output=True, text=True)
-    assert "surface=<tetproof.Surface fuzz:torus(n=3,m=3,r=0.5): 9 points, 18 triangles>" in done.stdout
+    assert "surface=<tetproof.Surface fuzz:torus(n=3,m=3,r=0.5): 9 points, 18 triangles>" in out

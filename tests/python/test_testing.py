@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """assert_sound, as a user's test suite has it."""
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -37,15 +35,13 @@ def test_bad_arguments_are_no_failed_assertion(two_tets):
         assert_sound(two_tets[0], two_tets[1][:, :3])
 
 
-def test_pytest_shows_the_report_at_the_callers_line(tmp_path):
-    (tmp_path / "test_mesher.py").write_text(
+def test_pytest_shows_the_report_at_the_callers_line(said_by_pytest):
+    code, out = said_by_pytest(
         "from tetproof.testing import assert_sound\n"
         "def test_mesher():\n"
         "    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
         "    assert_sound(points, [[0, 2, 1, 3]])\n")
-    done = subprocess.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)],
-                          capture_output=True, text=True)
-    assert done.returncode == 1
-    assert "tetrahedron 0: negative: volume -0.166667" in done.stdout
-    assert ">       assert_sound(points, [[0, 2, 1, 3]])" in done.stdout
-    assert "raise AssertionError" not in done.stdout
+    assert code == 1
+    assert "tetrahedron 0: negative: volume -0.166667" in out
+    assert ">       assert_sound(points, [[0, 2, 1, 3]])" in out
+    assert "raise AssertionError" not in out

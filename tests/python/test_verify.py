@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The judge: the same report as the program's, findings, options, errors; threads and arithmetic."""
+import copy
 import ctypes
 import gc
 import json
 import multiprocessing
 import os
 import pathlib
+import pickle
 import signal
 import threading
 import warnings
@@ -261,3 +263,47 @@ def test_timeout_and_interrupt():
 def test_lists():
     assert "hanging-node" in tetproof.list_checks() and "torus" in tetproof.list_surfaces()
     assert json.loads(tetproof.verify([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]]).to_json())
+
+
+@pytest.mark.parametrize("option", [{"voxels": 3.7}, {"voxels": "many"}, {"threads": 2.5}, {"fidelity": "0.1"},
+                                    {"timeout": "soon"}, {"fidelity": None}])
+def test_options_of_another_kind_are_input_errors(two_tets, option):
+    with pytest.raises(tetproof.InputError, match=f"{next(iter(option))}: expected a (whole )?number, found "):
+        tetproof.verify(*two_tets, **option)
+
+
+@pytest.mark.parametrize("option", [{"box_scale": "a"}, {"diagonals": 3}, {"points": 10**30}, {"v0": None}, {"region": None},
+                                    {"p": []}, {"engine": b"fast"}])
+def test_options_of_the_mesher_are_named(option):
+    with pytest.raises(tetproof.InputError, match=f"{next(iter(option))}: expected a "):
+        tetproof.mesh("sphere:r=1,n=100", cells=6, **option)
+
+
+def test_options_of_random_surfaces():
+    assert tetproof.fuzz(1, 2, kinds="star").name == tetproof.fuzz(1, 2, kinds=["star"]).name
+    for most in (-5, 2.5, 2**40):
+        with pytest.raises(tetproof.InputError, match="most_triangles: expected a"):
+            tetproof.fuzz(1, 2, most_triangles=most)
+
+
+def test_more_threads_than_there_are(two_tets, capfd):
+    """oneTBB warns of many, and crashes on very many."""
+    for threads in (10**6, 2**31 - 1, 10**30, np.int8(2)):
+        assert tetproof.verify(*two_tets, threads=threads).sound
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_report_says_why_it_is_not_pickled(two_tets):
+    for take in (pickle.dumps, copy.deepcopy):
+        with pytest.raises(TypeError, match="report.to_dict"):
+            take(tetproof.verify(*two_tets))
+
+
+def test_help_tells_of_everything():
+    """Each name and each method has a text of its own."""
+    for name in tetproof.__all__:
+        thing = getattr(tetproof, name)
+        assert thing.__doc__ and not thing.__doc__.startswith("Inappropriate argument"), name
+        for member, value in vars(thing).items() if isinstance(thing, type) else ():
+            if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                assert value.__doc__, f"{name}.{member}"

@@ -8,6 +8,7 @@
 #include "io/bytes/one_line.hpp"
 #include "io/mesh_files.hpp"
 #include "io/program/describe.hpp"
+#include "io/program/refusal.hpp"
 #include "io/writing.hpp"
 #include "verify/c/boundary.hpp"
 #include "verify/c/documents.hpp"
@@ -45,21 +46,25 @@ void hand_over(Document document, tetproof_document*& result) {
   result = made.release();
 }
 
-// What `strict` does not permit: the items of which one is named in the message.
+program::Strictness strictness_of(std::int32_t strict) {
+  return strict == TETPROOF_STRICT_NATIVE ? program::Strictness::native
+         : strict == TETPROOF_STRICT_ON   ? program::Strictness::strict
+                                          : program::Strictness::lax;
+}
+
+// Names one of the items that `strict` does not permit.
 void refuse_losses(const Document& document, PlannedFile& file, std::int32_t strict) {
-  if (strict == TETPROOF_STRICT_OFF) return;
-  const auto refuse = [&](const char* how, const std::vector<Loss>& losses) {
-    if (!losses.empty())
+  const program::Refusal refusal(strictness_of(strict), document.dropped, file.losses(),
+                                 file.kept_aside().items, file.dangling());
+  for (const auto& [how, losses] : {std::pair{"not everything was read", &refusal.not_read},
+                                    std::pair{"the format has no place for", &refusal.lost},
+                                    std::pair{"other programs do not read what is kept aside", &refusal.kept},
+                                    std::pair{"elements name nodes that do not exist", &refusal.dangling}})
+    if (!losses->empty())
       throw Refused(TETPROOF_LOSSY,
-                    fmt::format("not written, since {}: {}: {} ({}){}", how, losses[0].item, losses[0].count,
-                                losses[0].example, losses.size() > 1 ? ", and more" : ""));
-  };
-  refuse("not everything was read", document.dropped);
-  refuse("the format has no place for", file.losses());
-  std::vector<Loss> aside = file.kept_aside().items;
-  if (strict != TETPROOF_STRICT_NATIVE) std::erase_if(aside, [](const Loss& loss) { return !loss.elements; });
-  refuse("other programs do not read what is kept aside", aside);
-  if (strict == TETPROOF_STRICT_NATIVE) refuse("elements name nodes that do not exist", file.dangling());
+                    fmt::format("not written, since {}: {}: {} ({}){}", how, losses->front().item,
+                                losses->front().count, losses->front().example,
+                                refusal.items() > 1 ? ", and more" : ""));
 }
 
 // Plans the file, and gives the plan and the options to `work`.

@@ -280,6 +280,8 @@ PYBIND11_MODULE(_core, module) {
   static const auto* const input_error =
       new py::exception<InputError>(module, "InputError", PyExc_ValueError);
   input_error->attr("__module__") = "tetproof";
+  input_error->attr("__doc__") =
+      "An argument or a file that cannot be used; the message says which, and why.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -6,6 +6,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <array>
@@ -47,10 +48,12 @@ class Surface {
   mutable std::optional<verify::JudgedSurface> judged_;
 };
 
-/// The calling thread's arena of so many threads (0: all). It is kept, since oneTBB 2021.8 loses 7 KB with
-/// each arena that ends.
+/// The calling thread's arena of so many threads (0, and more than there are: all; oneTBB prints a warning if
+/// it is asked for more). It is kept, since oneTBB 2021.8 loses 7 KB with each arena that ends.
 inline tbb::task_arena& arena_of(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
+  const std::size_t all = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  if (threads > 0 && static_cast<std::size_t>(threads) >= all) threads = 0;
   return arenas.try_emplace(threads, threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic))
       .first->second;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "io/bytes/words.hpp"
@@ -18,6 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t most_ring_edges = 150'000;
+constexpr std::size_t most_edges_at_first = 5'000;  // more would hide what they surround
 constexpr std::size_t most_marks = 60;
 
 struct Box {
@@ -56,6 +58,10 @@ class Builder {
     add_ring();
     add_targets();
     add_largest_distances();
+    if (!report_.not_judged.empty() || !report_.left_out.empty() || report_.by_corners)
+      result_.left_out.emplace_back(
+          "The view shows tetrahedra with straight edges, and nothing else: parts that were not judged are "
+          "not drawn.");
     return std::move(result_);
   }
 
@@ -108,6 +114,14 @@ class Builder {
     if (!drawn.left_out.empty()) result_.left_out.push_back(std::move(drawn.left_out));
   }
 
+  // The face in the scene's points; nothing if it names one that is not usable.
+  std::optional<std::array<Index, 3>> drawn_face(std::array<Index, 3> face) {
+    if (!std::all_of(face.begin(), face.end(), [&](Index v) { return drawn_.usable(v); }))
+      return std::nullopt;
+    for (Index& v : face) v = drawn_.point(v);
+    return face;
+  }
+
   void add_defects() {
     io::SceneLayer tets{.id = "defects", .name = "tetrahedra that findings name", .colour = "#c8102e"};
     for (const Index t : named_)
@@ -122,11 +136,8 @@ class Builder {
     if (!chosen.name.empty()) result_.scene.layers.push_back(std::move(chosen));
     io::SceneLayer faces{.id = "faces", .name = "faces that findings name", .colour = "#f08a24"};
     for_each_finding([&](const CheckResult&, const Finding& finding) {
-      for (std::array<Index, 3> face : finding.faces) {
-        if (!std::all_of(face.begin(), face.end(), [&](Index v) { return drawn_.usable(v); })) continue;
-        for (Index& v : face) v = drawn_.point(v);
-        faces.triangles.push_back(face);
-      }
+      for (const auto& face : finding.faces)
+        if (const auto drawn = drawn_face(face)) faces.triangles.push_back(*drawn);
     });
     if (!faces.triangles.empty()) result_.scene.layers.push_back(std::move(faces));
   }
@@ -147,14 +158,17 @@ class Builder {
     }
     for (auto& edge : edges)
       for (Index& v : edge) v = drawn_.point(v);
-    result_.scene.edges.push_back({.id = "ring", .name = "edges around them", .edges = std::move(edges)});
+    const bool few = edges.size() <= most_edges_at_first;
+    result_.scene.edges.push_back(
+        {.id = "ring", .name = "edges around them", .edges = std::move(edges), .shown = few});
   }
 
   // Returns the target's position. A single point is looked at from a fiftieth of the mesh's size.
-  int add_target(std::string text, const Box& around, std::vector<Index> tets, std::vector<Index> nodes) {
+  int add_target(io::SceneTarget target, const Box& around) {
     const double radius = around.radius();
-    result_.scene.targets.push_back({around.middle(), radius > 0 ? radius : box_.radius() / 50,
-                                     std::move(text), std::move(tets), std::move(nodes)});
+    target.middle = around.middle();
+    target.radius = radius > 0 ? radius : box_.radius() / 50;
+    result_.scene.targets.push_back(std::move(target));
     return static_cast<int>(result_.scene.targets.size()) - 1;
   }
 
@@ -162,20 +176,23 @@ class Builder {
     std::size_t marks_left_out = 0;
     for_each_finding([&](const CheckResult& result, const Finding& finding) {
       Box around;
-      std::vector<Index> tets, nodes;
+      io::SceneTarget target;
       const auto node = [&](Index v) {
         if (!drawn_.usable(v)) return;
         around.add(at(v));
-        nodes.push_back(drawn_.point(v));
+        target.nodes.push_back(drawn_.point(v));
       };
       for (const Index t : finding.tets)
         if (drawn_.drawable(t)) {
-          tets.push_back(drawn_.tet(t));
+          target.tets.push_back(drawn_.tet(t));
           for (const Index v : tet(t)) around.add(at(v));
         } else {
           std::for_each(tet(t).begin(), tet(t).end(), node);
         }
-      for (const auto& face : finding.faces) std::for_each(face.begin(), face.end(), node);
+      for (const auto& face : finding.faces) {
+        std::for_each(face.begin(), face.end(), node);
+        if (const auto drawn = drawn_face(face)) target.faces.push_back(*drawn);
+      }
       std::for_each(finding.vertices.begin(), finding.vertices.end(), node);
       const std::size_t number = result_.targets.size() + 1;
       if (finding.point && finding.point->allFinite()) {
@@ -185,11 +202,8 @@ class Builder {
         else
           ++marks_left_out;
       }
-      result_.targets.push_back(around.low.allFinite()
-                                    ? add_target(fmt::format("{}: {}", info(result.check).id,
-                                                             finding_text(finding, subject_.numbering)),
-                                                 around, std::move(tets), std::move(nodes))
-                                    : -1);
+      target.text = fmt::format("{}: {}", info(result.check).id, finding_text(finding, subject_.numbering));
+      result_.targets.push_back(around.low.allFinite() ? add_target(std::move(target), around) : -1);
     });
     if (marks_left_out > 0)
       result_.left_out.push_back(
@@ -205,9 +219,10 @@ class Builder {
       result_.scene.marks.push_back({*place, fmt::format("{} {:.4g}", what, *distance), "#1f5a99"});
       Box around;
       around.add(*place);
-      return add_target(fmt::format("the largest distance from {} is at least {}, at ({}, {}, {})", what,
-                                    *distance, place->x(), place->y(), place->z()),
-                        around, {}, {});
+      io::SceneTarget target;
+      target.text = fmt::format("the largest distance from {} is at least {}, at ({}, {}, {})", what,
+                                *distance, place->x(), place->y(), place->z());
+      return add_target(std::move(target), around);
     };
     const Fidelity& f = *report_.fidelity;
     result_.to_surface = add(f.mesh_to_surface_at, f.mesh_to_surface, "mesh to surface");

@@ -3,8 +3,9 @@
 """
 from __future__ import annotations
 
+import operator
 import os
-from typing import Any
+from typing import Any, Iterable, SupportsFloat
 
 import numpy as np
 
@@ -74,3 +75,32 @@ def _array(values: Any, what: str) -> np.ndarray:
         return np.asarray(values)
     except ValueError as error:
         raise InputError(f"{what}: expected an array: {error}") from None
+
+
+def real(name: str, value: Any) -> float:
+    """An option that is a number."""
+    if isinstance(value, (bool, str)) or not isinstance(value, SupportsFloat):
+        raise InputError(f"{name}: expected a number, found {value!r}")
+    return float(value)
+
+
+def whole(name: str, value: Any) -> int:
+    """An option that is a whole number."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise InputError(f"{name}: expected a whole number, found {value!r}") from None
+
+
+def word(name: str, value: Any) -> str:
+    """An option that is a word; the extension knows which ones there are."""
+    if not isinstance(value, str):
+        raise InputError(f"{name}: expected a text, found {value!r}")
+    return value
+
+
+def words(values: str | Iterable[str]) -> list[str]:
+    """A list of words, or a text with commas between them."""
+    if isinstance(values, str):
+        return [part.strip() for part in values.split(",") if part.strip()]
+    return [str(one) for one in values]

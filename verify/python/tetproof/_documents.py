@@ -140,6 +140,7 @@ class Document:
 
     @property
     def title(self) -> str:
+        """What the file calls itself, in formats that have such a line."""
         return self._core.title
 
     @property

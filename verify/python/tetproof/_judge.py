@@ -10,7 +10,8 @@ from typing import Any, Iterable, NoReturn
 import numpy as np
 
 from . import _core
-from ._arrays import InputError, file_name, index_array, integer_array, is_path, point_array
+from ._arrays import (
+    InputError, file_name, index_array, integer_array, is_path, point_array, real, whole, words)
 from ._documents import Document, _tell, read
 from ._meshes import as_document, judged
 from ._report import Report
@@ -62,19 +63,19 @@ def verify(mesh: Any = None, tets: Any = None, surface: Any = None, *, points: A
         raise InputError(f"region: expected 'inside', 'outside' or 'none', found {region!r}")
     if surface is None and region != "none":
         raise InputError(f"region {region} needs a surface")
-    if not fidelity >= 0 or math.isinf(fidelity):
+    if not real("fidelity", fidelity) >= 0 or math.isinf(fidelity):
         raise InputError(f"fidelity: expected a number from 0 on, found {fidelity}")
-    if not 0 <= voxels <= 1024:
+    if not 0 <= whole("voxels", voxels) <= 1024:
         raise InputError(f"voxels: expected a number from 0 to 1024, found {voxels}")
-    if timeout is not None and not 0 <= timeout < 1e9:
+    if timeout is not None and not 0 <= real("timeout", timeout) < 1e9:
         raise InputError(f"timeout: expected seconds from 0 to 1e9, found {timeout}")
-    if threads is not None and threads < 1:
+    if threads is not None and whole("threads", threads) < 1:
         raise InputError(f"threads: expected a number from 1 on, found {threads}")
     against = None if surface is None else as_surface(surface, surface_format)._core
     return Report(_core.verify(
         to_judge, against, region=region, fidelity=fidelity, strict_topology=strict_topology,
-        voxels=int(voxels), check=_ids(check), skip=_ids(skip), allow=_ids(allow), only_tets=only_tets,
-        quality=quality, decide_only=decide_only, timings=timings, timeout=timeout, threads=threads or 0))
+        voxels=whole("voxels", voxels), check=words(check), skip=words(skip), allow=words(allow), only_tets=only_tets,
+        quality=quality, decide_only=decide_only, timings=timings, timeout=timeout, threads=min(threads or 0, 2**31 - 1)))
 
 
 def list_checks() -> str:
@@ -108,6 +109,7 @@ class Comparison:
         return json.loads(self._json)
 
     def to_json(self) -> str:
+        """The text that `tetproof-compare --json` writes."""
         return self._json
 
     def __str__(self) -> str:
@@ -179,9 +181,3 @@ def _document_of(mesh: Any, format: str | None = None) -> Document:
     document = read(mesh, format)
     _tell(document)
     return document
-
-
-def _ids(ids: str | Iterable[str]) -> list[str]:
-    if isinstance(ids, str):
-        return [part.strip() for part in ids.split(",") if part.strip()]
-    return [str(one) for one in ids]

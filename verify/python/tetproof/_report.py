@@ -168,6 +168,9 @@ class Report:
         raise TypeError("a report is sound, defective or incomplete, so it is neither true nor false: "
                         "ask for report.sound or report.verdict")
 
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a report is not pickled or copied: hand on report.to_dict() or report.to_json()")
+
     def _repr_html_(self) -> str:
         mesh, volume = self._parts["mesh"], self._parts["volume"]["mesh"]
         facts = f"{mesh['tets']} tetrahedra, {mesh['points']} points, {mesh['boundary_faces']} boundary faces"

@@ -7,7 +7,8 @@ from typing import Any, Iterable, Iterator, NamedTuple, Sequence
 import numpy as np
 
 from . import _core
-from ._arrays import InputError, file_name, index_array, is_path, point_array
+from ._arrays import (
+    InputError, file_name, index_array, is_path, point_array, real, whole, word, words)
 from ._documents import _losses, _tell
 
 
@@ -116,8 +117,11 @@ def fuzz(seed: int, index: int, *, kinds: Iterable[str] = (), modifiers: Iterabl
     for name, number in (("seed", seed), ("index", index)):
         if not isinstance(number, (int, np.integer)) or not 0 <= number < 2**64:
             raise InputError(f"{name}: expected a number from 0 to 2^64 - 1, found {number!r}")
-    return Surface(_core.fuzz_surface(int(seed), int(index), kinds=list(kinds), modifiers=list(modifiers),
-                                      most_triangles=most_triangles, extreme_sizes=extreme_sizes))
+    most = whole("most_triangles", most_triangles)
+    if not 0 < most < 2**31:
+        raise InputError(f"most_triangles: expected a number from 1 on, found {most}")
+    return Surface(_core.fuzz_surface(int(seed), int(index), kinds=words(kinds), modifiers=words(modifiers),
+                                      most_triangles=most, extreme_sizes=extreme_sizes))
 
 
 def list_surfaces() -> str:
@@ -148,15 +152,16 @@ def mesh(surface: Any, cells: int | Sequence[int] | None = None, region: str = "
     are_counts = all(isinstance(n, (int, np.integer)) and 0 < n < 10**8 for n in numbers)
     if len(numbers) not in (1, 3) or not are_counts:
         raise InputError(f"cells: expected a positive number or three, found {cells!r}")
-    if not (points == "auto" or isinstance(points, (int, np.integer)) and points >= 0):
+    if not (points == "auto" or isinstance(points, (int, np.integer)) and 0 <= points < 2**63):
         raise InputError(f"points: expected a number from 0 or 'auto', found {points!r}")
     made = _core.mesh(as_surface(surface)._core, cells=[*map(int, numbers), 0, 0][:3],
-                      raise_cells=cells is None, region=region,
-                      points=-1 if points == "auto" else int(points), engine=engine,
-                      box_scale=box_scale, on_surface=on_surface, diagonals=diagonals, literal=literal,
-                      parametric=parametric, v0=_volume(v0, "v0"), v1=_volume(v1, "v1"), d1=d1, p=p,
+                      raise_cells=cells is None, region=word("region", region),
+                      points=-1 if points == "auto" else int(points), engine=word("engine", engine),
+                      box_scale=real("box_scale", box_scale), on_surface=real("on_surface", on_surface),
+                      diagonals=word("diagonals", diagonals), literal=literal, parametric=parametric,
+                      v0=_volume(v0, "v0"), v1=_volume(v1, "v1"), d1=real("d1", d1), p=real("p", p),
                       e_avg=_volume(e_avg, "e_avg"), past_dilution=past_dilution, curvature=curvature,
-                      improve=improve, improve_below=improve_below)
+                      improve=word("improve", improve), improve_below=real("improve_below", improve_below))
     return Grid(*made)
 
 
@@ -165,5 +170,5 @@ def _volume(value: float | str, name: str) -> tuple[float, bool]:
     absolute = isinstance(value, str) and value.startswith("abs:")
     try:
         return float(value[4:] if absolute else value), absolute  # type: ignore[index]
-    except ValueError:
+    except (TypeError, ValueError):
         raise InputError(f"{name}: expected a number, or 'abs:0.001', found {value!r}") from None

@@ -18,6 +18,7 @@
 
 #include "corpus/block_mesh.hpp"
 #include "corpus/plant.hpp"
+#include "corpus/report/finding_page.hpp"
 #include "corpus/surfaces.hpp"
 #include "io/error.hpp"
 #include "io/mesh_files.hpp"
@@ -40,9 +41,12 @@ class FakeMesher : public Mesher {
   std::string command() const override { return "fake -pq {surface} -o {mesh}"; }
   std::string version() const override { return "Fake 1.2 & <3>"; }
   std::string surface_ending() const override { return ending_; }
-  bool may_change_boundary() const override { return false; }
-  double fidelity() const override { return 0; }
+  bool may_change_boundary() const override { return lattice; }
+  double fidelity() const override { return 0.2; }
+  bool coarse() const override { return lattice; }
   int repeats() const override { return 1; }
+
+  bool lattice = false;  ///< as if its meshes were made from a coarse lattice
 
  private:
   std::string ending_;
@@ -184,6 +188,31 @@ TEST_F(FindingFolder, IsTheSameEachTime) {
   const fs::path one = write(found, "one"), other = write(found, "other");
   for (const auto& entry : fs::directory_iterator(one))
     EXPECT_EQ(text(entry.path()), text(other / entry.path().filename())) << entry.path();
+}
+
+// A lattice may lose a cavity, which is only a warning then. A mesher that keeps the boundary may not.
+TEST_F(FindingFolder, HasAPageThatJudgesAsTheCampaignDid) {
+  const TetMesh with_horn =
+      test::lattice_mesh({3, 3, 6}, [](test::Cell c) { return c[2] < 3 || (c[0] == 1 && c[1] == 1); });
+  const TetMesh hollow = test::lattice_mesh({3, 3, 3}, [](test::Cell c) { return c != test::Cell{1, 1, 1}; });
+  const TriangleSurface surface = test::boundary_surface(hollow);
+  for (const bool lattice : {true, false}) {
+    mesher.lattice = lattice;
+    const FindingFacts found = facts(with_horn, surface);
+    ASSERT_EQ(found.judgement.outcome, Outcome::wrong_against_surface);
+    const std::string page = finding_page(write(found, lattice ? "lattice" : "exact"));
+    const std::string word = lattice ? "warning" : "fail";
+    EXPECT_NE(page.find(fmt::format("<td>topology</td><td class=\"{0}\">{0}</td>", word)), std::string::npos)
+        << word;
+    const bool judged_box = page.find("<td>bounding-box</td><td class=\"skipped\">") == std::string::npos;
+    EXPECT_EQ(judged_box, !lattice) << "the box of a coarse grid says nothing";
+  }
+  mesher.lattice = false;
+  FindingFacts found = facts_by("mesh-to-surface", with_horn, surface);
+  found.checks = {"mesh-to-surface"};
+  const std::string page = finding_page(write(found, "one-check"));
+  EXPECT_NE(page.find("<td>topology</td><td class=\"skipped\">"), std::string::npos)
+      << "the page judges what nobody asked for";
 }
 
 TEST_F(FindingFolder, AppearsCompleteOrNotAtAll) {

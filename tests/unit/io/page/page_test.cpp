@@ -59,8 +59,8 @@ TEST(Page, texts_never_become_markup) {
   // A quote is always a reference, or follows a backslash in JSON.
   EXPECT_EQ(count(text, "alert('1\""), 0u);
   EXPECT_EQ(count(text, "<script>alert"), 0u);
-  EXPECT_EQ(count(text, "<script>"), 3u);   // the page's own
-  EXPECT_EQ(count(text, "</script>"), 4u);  // and the scene's
+  EXPECT_EQ(count(text, "<script>"), 8u);   // the page's own
+  EXPECT_EQ(count(text, "</script>"), 9u);  // and the scene's
   EXPECT_EQ(count(text, "<!--"), 1u);       // the licence of three.js
 }
 

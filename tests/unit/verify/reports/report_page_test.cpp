@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "corpus/block_mesh.hpp"
@@ -70,6 +71,35 @@ TEST(ReportScene, defects_fly_to_their_place_with_the_files_numbers) {
   // One ring around it: every edge belongs to a tetrahedron that touches the inverted one.
   ASSERT_EQ(made.scene.edges.size(), 1u);
   EXPECT_GT(made.scene.edges[0].edges.size(), 20u);
+}
+
+Finding& first_finding(Report& report) {
+  const auto found = std::find_if(report.checks.begin(), report.checks.end(),
+                                  [](const CheckResult& result) { return !result.findings.empty(); });
+  EXPECT_NE(found, report.checks.end());
+  return found->findings[0];
+}
+
+TEST(ReportScene, faces_of_a_finding_belong_to_its_place) {
+  Judged judged(with_an_inverted_tetrahedron(3));
+  const std::array<Index, 3> face{0, 1, 5};
+  first_finding(judged.report).faces = {face, {0, 1, 1'000'000}};  // the second names no point
+  const ReportScene made = report_scene(judged.report, judged.subject());
+  const io::SceneTarget& target = made.scene.targets[static_cast<std::size_t>(made.targets[0])];
+  ASSERT_EQ(target.faces.size(), 1u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(made.scene.points[static_cast<std::size_t>(target.faces[0][k])],
+              judged.mesh.points[static_cast<std::size_t>(face[k])]);
+}
+
+TEST(ReportScene, very_many_edges_are_hidden_at_first) {
+  Judged judged(with_an_inverted_tetrahedron(12));
+  EXPECT_TRUE(report_scene(judged.report, judged.subject()).scene.edges[0].shown);
+  for (Index v = 0; v < static_cast<Index>(judged.mesh.points.size()); ++v)
+    first_finding(judged.report).vertices.push_back(v);
+  const ReportScene made = report_scene(judged.report, judged.subject());
+  EXPECT_GT(made.scene.edges[0].edges.size(), 5000u);
+  EXPECT_FALSE(made.scene.edges[0].shown);
 }
 
 TEST(ReportScene, of_a_large_mesh_the_middle_and_the_defects_are_there) {

@@ -8,9 +8,12 @@ import argparse
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from checks import check, finish, run  # noqa: E402
 
 PROGRAMS = ["tetproof-mesh", "tetproof-verify", "tetproof-compare", "tetproof-convert", "tetproof-fuzz"]
 FORMATS = "msh41 msh40 msh22 tetgen poly smesh vtu vtk medit stl off obj ply".split()
@@ -45,18 +48,6 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()
 "$function" "${COMP_WORDS[0]}" "${COMP_WORDS[COMP_CWORD]}" "${COMP_WORDS[COMP_CWORD - 1]}"
 for reply in "${COMPREPLY[@]}"; do printf '%s\n' "$reply"; done
 """
-
-failures = []
-
-
-def check(holds, what):
-    if not holds:
-        failures.append(what)
-        print("FAIL", what)
-
-
-def run(*command, **options):
-    return subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=60, **options)
 
 
 def options_of_help(text):
@@ -159,8 +150,7 @@ def main():
             check(sorted(line.split("\t")[0] for line in said.stdout.splitlines()) == ["inside", "none", "outside"], f"fish: --region offers {said.stdout}")
         said = run(build / "tetproof-verify", "--completion", "csh")
         check(said.returncode == 2 and said.stderr.count("\n") == 1, f"another shell is bad usage: {said.stderr}")
-    print(f"{len(failures)} failures")
-    sys.exit(1 if failures else 0)
+    finish()
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens the programs' pages in a browser, from disk, and uses them: clicks, cuts, reads their tables.
 
-usage: pages.py --build FOLDER [--keep FOLDER] [NAME...]
+usage: html_pages.py --build FOLDER [--keep FOLDER] [NAME...]
   --build FOLDER   where the programs are
   --keep FOLDER    leave the pages and screenshots there
   NAME             only the tests whose names hold this
@@ -25,6 +25,7 @@ try:
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
 except ImportError:
     print("skipped: python3-selenium is not installed")
     sys.exit(77)
@@ -75,6 +76,25 @@ class Page:
             "return Array.from(document.querySelectorAll('#' + arguments[0] + ' tbody tr'),"
             " row => Array.from(row.cells, cell => cell.textContent))", table)
 
+    def canvas(self):
+        return self.driver.find_element(By.CSS_SELECTOR, "#stage canvas")
+
+    def pixels(self):
+        """What the view shows: whether anything touches its frame, and how many pixels have the chosen finding's colour."""
+        return self.driver.execute_script("""
+            const from = arguments[0], to = document.createElement('canvas');
+            to.width = from.width; to.height = from.height;
+            const context = to.getContext('2d');
+            context.drawImage(from, 0, 0);
+            const p = context.getImageData(0, 0, to.width, to.height).data;
+            let touches = false, chosen = 0;
+            for (let i = 0; i < p.length; i += 4) {
+              const x = i / 4 % to.width, y = Math.floor(i / 4 / to.width);
+              if ((x < 2 || y < 2 || x >= to.width - 2 || y >= to.height - 2) && p[i] + p[i + 1] + p[i + 2] < 750) touches = true;
+              if (p[i] > 150 && p[i + 1] > 100 && p[i + 2] < 80) ++chosen;
+            }
+            return {touches, chosen};""", self.canvas())
+
     def console(self):
         return [entry["message"] for entry in self.driver.get_log("browser")]
 
@@ -116,12 +136,17 @@ class Tests:
         assert len(rows) == len(findings) > 0
         for row, (check, finding) in zip(rows, findings):
             assert row[1] == check and finding["what"] in row[2], row
+        seen = page.pixels()
+        assert not seen["touches"] and seen["chosen"] == 0, seen   # all of it is in view, and nothing is chosen yet
         before = page.view("target")
         buttons = page.driver.find_elements(By.CSS_SELECTOR, "#findings button[data-target]")
         assert len(buttons) == len(findings)
         buttons[-1].click()
         page.wait(lambda: page.view("selected") == "target %d" % (len(findings) - 1), "the flight ends")
         assert page.view("target") != before
+        assert page.pixels()["chosen"] > 500   # it stands out among the others
+        top = page.driver.execute_script("return document.getElementById('stage').getBoundingClientRect().top")
+        assert top >= 0, top   # however long its text is
         told = page.text("told")
         check, finding = findings[-1]
         assert told.startswith(check + ": "), told
@@ -176,8 +201,7 @@ class Tests:
         page.wait(lambda: int(page.view("cut-tets")) + counts["z"] >= report["mesh"]["tets"], "the other side")
         self.shot(page, "cut")
         # a click on the cut names a tetrahedron that is in the file
-        canvas = page.driver.find_element(By.CSS_SELECTOR, "#stage canvas")
-        ActionChains(page.driver).move_to_element(canvas).click().perform()
+        ActionChains(page.driver).move_to_element(page.canvas()).click().perform()
         page.wait(lambda: (page.view("selected") or "").startswith("tet "), "a tetrahedron is selected")
         told = page.text("told")
         assert "volume " in told and "dihedral angles " in told and "points " in told, told
@@ -186,6 +210,53 @@ class Tests:
         page.click("show-boundary")
         page.wait(lambda: "boundary" not in page.view("shown").split(), "the boundary is hidden")
         assert page.console() == []
+
+    def test_axes_box_and_keys(self):
+        """Where things are, in the file's own unit; and the view without a mouse."""
+        text = (ROOT / "corpus/bad-meshes/blocks-face-to-face.msh").read_text()
+        head, nodes, tail = re.split(r"\$Nodes\n|\$EndNodes\n", text)
+        lines = nodes.splitlines()
+        moved = [lines[0]] + [f"{n} {float(x) * 10 + 500} {float(y) * 10} {float(z) * 10 - 7}" for n, x, y, z in map(str.split, lines[1:])]
+        (self.folder / "moved.msh").write_text(head + "$Nodes\n" + "\n".join(moved) + "\n$EndNodes\n" + tail)
+        self.verified(self.folder / "moved.msh")
+        page = self.open("page.html")
+        assert page.text("box") == "What is drawn lies in x 500 to 520, y 0 to 10, z -7 to 13.", page.text("box")
+        assert [e.text for e in page.driver.find_elements(By.CLASS_NAME, "axis-name")] == ["x", "y", "z"]
+        for axis, middle in (("x", 510), ("y", 5), ("z", 3)):
+            page.click("cut-" + axis)
+            assert page.text("cut-place") == f"{axis} = {middle}", page.text("cut-place")
+        page.driver.execute_script("const e = arguments[0]; e.value = 0.25; e.dispatchEvent(new Event('input'))", page.driver.find_element(By.ID, "cut-at"))
+        assert page.text("cut-place") == "z = 8", page.text("cut-place")
+        page.click("cut-none")
+        assert page.text("cut-place") == ""
+        before, distance = page.view("camera"), float(page.view("distance"))
+        page.canvas().send_keys(Keys.ARROW_LEFT)
+        page.wait(lambda: page.view("camera") != before, "it turns")
+        assert abs(float(page.view("distance")) - distance) < 1e-4
+        page.canvas().send_keys(Keys.ARROW_RIGHT)
+        page.wait(lambda: page.view("camera") == before, "it turns back")
+        page.canvas().send_keys("+")
+        page.wait(lambda: float(page.view("distance")) < 0.9 * distance, "it comes nearer")
+        # A page for a small window scrolls downwards only; wide tables scroll by themselves.
+        page.driver.set_window_size(500, 900)
+        wide = page.driver.execute_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
+        page.driver.set_window_size(1300, 1000)
+        assert wide <= 0, wide
+        assert page.console() == []
+
+    def test_what_is_not_drawn_is_said(self):
+        """Elements that are no tetrahedra are not judged, and the view lacks them."""
+        nodes = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (5, 0, 0), (6, 0, 0), (5, 1, 0), (5, 0, 1), (6, 0, 1), (5, 1, 1)]
+        (self.folder / "prism.msh").write_text(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n" + "".join(f"{i + 1} {x} {y} {z}\n" for i, (x, y, z) in enumerate(nodes)) +
+            "$EndNodes\n$Elements\n2\n1 4 0 1 2 3 4\n2 6 0 5 6 7 8 9 10\n$EndElements\n")
+        report = self.verified("prism.msh", codes=(4,))
+        assert report["not_judged"][0]["count"] == 1
+        page = self.open("page.html")
+        text = page.driver.find_element(By.TAG_NAME, "main").text
+        assert "1 prism" in text and "parts that were not judged are not drawn" in text, text[:600]
+        self.verified(ROOT / "corpus/bad-meshes/blocks-face-to-face.msh")
+        assert "not drawn" not in self.open("page.html").driver.find_element(By.TAG_NAME, "main").text
 
     def test_how_a_grid_was_made(self):
         """The page of tetproof-mesh: plots, tables, plane cuts, and tetrahedra from small to large."""
@@ -256,6 +327,8 @@ class Tests:
         assert [row[:4] for row in rows] == [[g["mesher"], g["outcome"], g["signature"], str(len(g["cases"]))] for g in report["groups"]], rows
         image = page.driver.find_element(By.CSS_SELECTOR, "#groups img")
         assert page.driver.execute_script("return arguments[0].naturalWidth > 0", image)
+        text = page.driver.find_element(By.TAG_NAME, "main").text
+        assert f"again: tetproof-fuzz --replay 5:{report['groups'][0]['cases'][0]['case']}" in text, text   # it can be seen again
         self.shot(page, "campaign")
         assert page.console() == []
         page.driver.find_element(By.CSS_SELECTOR, "#groups a").click()
@@ -274,8 +347,28 @@ class Tests:
         page.driver.find_element(By.CSS_SELECTOR, "#groups a").click()
         page.wait(lambda: page.view("ready") == "yes", "the finding's page is ready")
         assert page.text("verdict") == "defective", page.text("verdict")
-        refused = self.run("tetproof-fuzz", "--judge", "gmsh", "--html", "none.html", codes=(2,))
-        assert "--html is not for --judge and --reader" in refused.stderr, refused.stderr
+
+    def test_checkers_and_readers(self):
+        """Who misses what, and what crashes on damaged files: tables equal the JSON, and each finding says how to see it again."""
+        self.run("tetproof-fuzz", "--judge", "true {mesh}", "--judge", "tetproof-verify", "--kinds", "sound,flat,inverted-inside", "--cases", 1,
+                 "--out", "judged", "--json", "page.json", "--html", "page.html", "--quiet", codes=(1,))
+        report = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        assert page.text("verdict") == "2 groups of findings", page.text("verdict")
+        totals = {row[0]: row[1:4] for row in page.rows("checkers")}
+        assert totals == {name: [str(counts[key]) for key in ("meshes", "seen", "accepted")] for name, counts in report["by_checker"].items()}, totals
+        assert [row[:2] for row in page.rows("kinds")] == [["sound", "1 accepted"], ["flat", "1 missed"], ["inverted-inside", "1 missed"]]
+        text = page.driver.find_element(By.TAG_NAME, "main").text
+        assert "true:missed:flat" in text and "again: true mesh.msh" in text.replace("/usr/bin/", ""), text
+        assert page.console() == []
+        self.run("tetproof-fuzz", "--reader", "sh -c 'kill -SEGV $$' {file}", "--formats", "off", "--cases", 20, "--out", "read",
+                 "--json", "page.json", "--html", "page.html", "--quiet", codes=(1,))
+        report = json.loads((self.folder / "page.json").read_text())
+        page = self.open("page.html")
+        assert page.text("verdict") == f"{report['new_groups']} new" and report["new_groups"] > 0
+        assert [row[:2] for row in page.rows("damages")] == [[name, str(counts["files"])] for name, counts in report["by_damage"].items()]
+        assert report["groups"][0]["id"] in page.driver.find_element(By.TAG_NAME, "main").text
+        assert page.console() == []
 
     def test_names_become_no_code(self):
         """Names of files, surfaces and groups that try to be markup and script are shown, and never run."""
@@ -294,7 +387,7 @@ class Tests:
         assert page.driver.execute_script("return typeof hacked") == "undefined"
         assert page.driver.execute_script("return document.querySelectorAll('h1 b, h1 img, h1 script, img').length") == 0
         scripts = page.driver.execute_script("return Array.from(document.scripts, s => s.type)")
-        assert scripts == ["application/json", "", "", ""], scripts
+        assert scripts == ["application/json"] + 8 * [""], scripts
         # Even if something of a name became a script, the page's policy would not run it.
         page.driver.execute_script("const s = document.createElement('script'); s.textContent = 'hacked = 2'; document.body.append(s)")
         assert page.driver.execute_script("return typeof hacked") == "undefined"
@@ -310,6 +403,7 @@ class Tests:
         assert picture.is_displayed() and page.driver.execute_script("return document.querySelectorAll('#picture svg path').length") > 10
         assert not page.driver.find_element(By.ID, "view").is_displayed()
         assert "WebGL" in page.text("no-view")
+        assert "Without scripts" in (self.folder / "page.html").read_text()
         self.shot(page, "without-webgl")
         assert [m for m in page.console() if "WebGL" not in m] == []
 
@@ -322,8 +416,7 @@ class Tests:
             (self.folder / f"{name}.ele").write_text("1 4 0\n0 0 2 1 3\n")
             self.verified(self.folder / f"{name}.ele", name=name)
             page = self.open(name + ".html")
-            canvas = page.driver.find_element(By.CSS_SELECTOR, "#stage canvas")
-            ActionChains(page.driver).move_to_element(canvas).click().perform()
+            ActionChains(page.driver).move_to_element(page.canvas()).click().perform()
             page.wait(lambda: page.view("selected") == "tet 0", "the tetrahedron is selected")
             exponent = {"large": "e899", "small": "e-901"}[name]
             assert exponent in page.text("told"), page.text("told")
