@@ -7,13 +7,16 @@
 #include <tbb/global_control.h>
 #include <tbb/version.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "io/bytes/atomic_file.hpp"
@@ -64,11 +67,29 @@ std::optional<std::string> asked_page(int argc, char** argv, const CLI::App& app
   return {};
 }
 
+// What --help calls the values that are paths begins so.
+constexpr std::string_view path_types[] = {"FILE", "GRID", "OTHER.jsonl", "PATH", "DIR"};
+
 // CLI11 breaks long messages.
 std::string joined_lines(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   return text;
+}
+
+// An unset variable of a script must not turn an asked output into none.
+void refuse_empty_paths(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    const bool names_file =
+        std::any_of(std::begin(path_types), std::end(path_types),
+                    [&](std::string_view known) { return std::string_view(type).starts_with(known); });
+    if (!names_file) continue;
+    const std::vector<std::string> values = option->results();
+    if (std::find(values.begin(), values.end(), "") != values.end())
+      throw InputError(fmt::format("{}: expected the name of a {}, found an empty text", option->get_name(),
+                                   type.starts_with("DIR") ? "folder" : "file"));
+  }
 }
 
 }  // namespace
@@ -103,6 +124,7 @@ int run(int argc, char** argv, const Description& description,
       if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
       throw InputError(joined_lines(error.what()) + fmt::format(" (see {} --help)", name));
     }
+    refuse_empty_paths(app);
     const std::size_t threads =
         common.threads > 0 ? static_cast<std::size_t>(common.threads)
                            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

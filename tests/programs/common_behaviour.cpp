@@ -63,6 +63,15 @@ TEST_P(CommonBehaviour, WrongUsageIsOneLine) {
   EXPECT_THAT(run({"--no-such-option"}).err, HasSubstr("--no-such-option"));
 }
 
+// An unset variable of a script.
+TEST_P(CommonBehaviour, AnEmptyNameOfAnOutputIsRefused) {
+  for (const std::string& option : GetParam().outputs) {
+    const Outcome outcome = run({option, ""});
+    expect_refused(outcome);
+    EXPECT_THAT(outcome.err, HasSubstr(option + ": expected the name of a file, found an empty text"));
+  }
+}
+
 TEST_P(CommonBehaviour, MissingInputIsNamed) {
   for (std::size_t i = 0; i < GetParam().arguments.size(); ++i) {
     std::vector<std::string> words = command(outputs / "out.msh");
