@@ -23,6 +23,7 @@ struct Codec {
   bool polylines = false;  ///< whether the format has them; to others they are cut into lines
   /// Whether its files have a corner for what the format has no place for, such as signs of groups.
   bool keeps_aside = false;
+  bool groups_below_zero = false;  ///< whether such groups are others than those above 0, and no values
 };
 
 /// All formats, in the order of `formats()`.

@@ -11,6 +11,7 @@
 #include "io/loss/loss_list.hpp"
 #include "io/loss/written_part.hpp"
 #include "io/model/group_signs.hpp"
+#include "io/model/groups_of_values.hpp"
 #include "io/model/polylines.hpp"
 #include "io/supplement/supplement.hpp"
 
@@ -28,6 +29,9 @@ io::FilePlan& PlannedFile::plan() {
   if (!codec.keeps_aside && io::has_signed_groups(document_)) {
     changed_ = std::make_unique<Document>(io::with_unsigned_groups(document_));
     unsigned_groups_ = true;
+  } else if (codec.groups_below_zero) {
+    if (std::optional<Document> changed = io::with_groups_below_zero(document_))
+      changed_ = std::make_unique<Document>(*std::move(changed));
   }
   if (!codec.polylines && io::has_polylines(document_))
     changed_ = std::make_unique<Document>(io::with_polylines_cut(written(), lost_by_cutting_));

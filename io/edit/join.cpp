@@ -22,6 +22,7 @@
 #include "io/error.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/model/tag_sets.hpp"
+#include "io/model/tag_words.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -196,8 +197,27 @@ class Joiner {
     append(document_.facets, std::move(other_.facets));
   }
 
+  // Tools have different words for the tags of nodes. They become one, so that none is lost in a format that
+  // has one such tag.
+  void share_word() {
+    const auto tags_in = [](std::vector<Values>& all) -> Values* {
+      for (const std::string_view word : node_tag_words)
+        for (Values& values : all)
+          if (values.name == word && values.components == 1 && !values.integers.empty()) return &values;
+      return nullptr;
+    };
+    const auto has = [](const std::vector<Values>& all, const std::string& name) {
+      return std::any_of(all.begin(), all.end(), [&](const Values& values) { return values.name == name; });
+    };
+    const Values* mine = tags_in(document_.node_values);
+    Values* theirs = tags_in(other_.node_values);
+    if (mine && theirs && !has(document_.node_values, theirs->name) && !has(other_.node_values, mine->name))
+      theirs->name = mine->name;
+  }
+
   void values() {
     mark_lengths(document_), mark_lengths(other_);
+    share_word();
     join_values(document_.node_values, std::move(other_.node_values), points_, unknown_);
     join_values(document_.element_values, std::move(other_.element_values), elements_, unknown_);
     join_values(document_.element_node_values, std::move(other_.element_node_values), elements_, unknown_);

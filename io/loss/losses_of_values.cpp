@@ -75,15 +75,29 @@ class ValueLosses : LossFinder {
           fmt::format("{} of time {}, step {}", name, values.time, values.step));
   }
 
+  // Whether the faces bound the body of the facets and holes of a .poly, or of the facets that they become.
+  bool same_body() {
+    if (!same_body_) same_body_ = facets_are_surface(document_);
+    return *same_body_;
+  }
+
+  bool are_all_faces_written() const {
+    std::size_t faces = 0, written = 0;
+    for (const ElementBlock& block : document_.blocks) faces += block.dim == 2 ? block.count : 0;
+    each_written([&](const ElementBlock& block, std::size_t count, const std::string&) {
+      written += block.dim == 2 ? count : 0;
+    });
+    return written == faces;
+  }
+
   // What tells the facets of a body to mesh from the faces of a mesh. Nothing does, and nothing is lost, if
   // the faces bound the same body.
   void facets() {
-    std::optional<bool> same_body;
     each_written([&](const ElementBlock& block, std::size_t count, const std::string& name) {
       if (!block.of_boundary) return;
-      if (block.dim < 2) return add("that lines and points belong to TetGen's facets", count, name);
-      if (!same_body) same_body = facets_are_surface(document_);
-      if (!*same_body)
+      if (block.dim < 2)
+        add("that lines and points belong to TetGen's facets", count, name);
+      else if (!same_body())
         add("that faces are TetGen's facets, which have no direction and may lie inside of the body", count,
             name);
     });
@@ -94,7 +108,7 @@ class ValueLosses : LossFinder {
     if (!holds_.boundary) facets();
     if (holds_.makes_boundary)
       for (const Written& written : written_.blocks())
-        if (!written.block->of_boundary && written.block->dim == 2)
+        if (!written.block->of_boundary && written.block->dim == 2 && !same_body())
           add("that faces are of a mesh, not facets of a body to mesh", written.count,
               element(*written.block));
     if (!holds_.facets && !document_.facets.empty())
@@ -103,7 +117,10 @@ class ValueLosses : LossFinder {
     const auto point = [](const Eigen::Vector3d& p) {
       return fmt::format("({}, {}, {})", p.x(), p.y(), p.z());
     };
-    if (!holds_.holes && !document_.holes.empty())
+    // Walls of cavities that are wound so say what the points in holes say. Where these can be kept aside,
+    // they are, for TetGen.
+    if (!holds_.holes && !document_.holes.empty() &&
+        !(holds_.kept_in.empty() && are_all_faces_written() && same_body()))
       add("holes", document_.holes.size(), point(document_.holes[0]));
     if (!holds_.regions && !document_.regions.empty())
       add("regions", document_.regions.size(), point(document_.regions[0].point));
@@ -129,6 +146,8 @@ class ValueLosses : LossFinder {
       if (!holds_.section(section))
         add(fmt::format("section ${}", section.name), 1, counted(section.body.size(), "bytes"));
   }
+
+  std::optional<bool> same_body_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_solution.hpp"
 #include "io/mesh_files.hpp"
+#include "io/model/block_of.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_tags.hpp"
 #include "io/model/values.hpp"
@@ -82,7 +83,8 @@ bool mark_comes_back(const Document& document, bool numbers_stay, const Values& 
     if (is_of_type(block)) count += static_cast<std::int64_t>(block.count);
   return std::all_of(marked.begin(), marked.end(), [&](Index at) {
     if (at >= 0)
-      return static_cast<std::size_t>(at) < document.elements() && is_of_type(block_with(document, at));
+      return static_cast<std::size_t>(at) < document.elements() &&
+             is_of_type(block_of(document.blocks, static_cast<std::size_t>(at)));
     const std::int64_t number = document.named(at);
     return number < 1 || number > count;
   });
@@ -137,7 +139,7 @@ void plan_element_fields(const Document& document, MeditPlan& plan) {
     const std::int64_t first =
         values.at.empty() ? static_cast<std::int64_t>(values.first) : std::int64_t{values.at[0]};
     if (field == 0 || first < 0 || first >= static_cast<std::int64_t>(document.elements())) continue;
-    const MeditPlace place = medit_place(block_with(document, static_cast<Index>(first)));
+    const MeditPlace place = medit_place(block_of(document.blocks, static_cast<std::size_t>(first)));
     const MeditSolutionKeyword* keyword =
         place.keyword ? medit_solution_keyword_of(place.keyword->element) : nullptr;
     if (!keyword || !are_of_list(values, plan.lists[list_of(*place.keyword)])) continue;
@@ -158,13 +160,6 @@ std::string name_in_file(const std::vector<MeditSolutionPart>& all, const Values
 }
 
 }  // namespace
-
-const ElementBlock& block_with(const Document& document, Index element) {
-  const auto behind = std::upper_bound(
-      document.blocks.begin(), document.blocks.end(), static_cast<std::size_t>(element),
-      [](std::size_t position, const ElementBlock& block) { return position < block.first; });
-  return *(behind - 1);
-}
 
 MeditPlace medit_place(const ElementBlock& block) {
   const ElementType* type = element_type(block.type);

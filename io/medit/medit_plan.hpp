@@ -21,9 +21,6 @@ struct MeditPlace {
 };
 MeditPlace medit_place(const ElementBlock& block);
 
-/// The block of an element, which must exist.
-const ElementBlock& block_with(const Document& document, Index element);
-
 /// Returns the reference of a block's elements: their first group; 0: they have none.
 std::int64_t medit_reference(const Document& document, const ElementBlock& block);
 

@@ -12,6 +12,7 @@
 #include "io/bytes/text_output.hpp"
 #include "io/medit/medit.hpp"
 #include "io/medit/medit_plan.hpp"
+#include "io/model/block_of.hpp"
 #include "io/model/element_types.hpp"
 #include "io/model/node_order.hpp"
 
@@ -217,7 +218,7 @@ class Writer {
       }
     }
     if (element >= document_.elements()) return 0;
-    const MeditPlace place = medit_place(block_with(document_, static_cast<Index>(element)));
+    const MeditPlace place = medit_place(block_of(document_.blocks, element));
     return place.keyword && place.keyword->element == type ? ranks_[element] : 0;
   }
 

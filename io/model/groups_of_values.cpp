@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "io/model/block_of.hpp"
 #include "io/model/tag_sets.hpp"
+#include "io/model/values.hpp"
 
 namespace tetproof::io {
 namespace {
@@ -24,6 +26,17 @@ std::optional<std::int64_t> tag_at(const Values& values, std::size_t i) {
   if (!(tag >= 0 && tag <= static_cast<double>(most)) || std::signbit(tag) || tag != std::trunc(tag))
     return std::nullopt;
   return static_cast<std::int64_t>(tag);
+}
+
+// Adds elements `from` to `to` of a block.
+void add(std::vector<ElementBlock>& blocks, ElementBlock block, std::size_t from, std::size_t to,
+         std::int32_t groups) {
+  if (from == to) return;
+  block.nodes += (from - block.first) * static_cast<std::size_t>(block.nodes_each);
+  block.first = from;
+  block.count = to - from;
+  block.groups = groups;
+  blocks.push_back(block);
 }
 
 class Maker {
@@ -62,17 +75,6 @@ class Maker {
     return std::max<std::int64_t>(*tag_at(*values_, element - values_->first), 0);
   }
 
-  // Adds elements `from` to `to` of a block.
-  static void add(std::vector<ElementBlock>& blocks, ElementBlock block, std::size_t from, std::size_t to,
-                  std::int32_t groups) {
-    if (from == to) return;
-    block.nodes += (from - block.first) * static_cast<std::size_t>(block.nodes_each);
-    block.first = from;
-    block.count = to - from;
-    block.groups = groups;
-    blocks.push_back(block);
-  }
-
   Document& document_;
   TagSets sets_;
   const Values* values_ = nullptr;
@@ -85,7 +87,58 @@ bool have_groups(const Document& document, std::size_t from, std::size_t to) {
   });
 }
 
+using NegativeTags = std::unordered_map<std::size_t, std::int64_t>;  // by element
+
+// Adds the numbers below 0 that values have, if these are TetGen's and say nothing else.
+bool add_negative_tags(const Document& document, const Values& values, NegativeTags& tags) {
+  if ((values.name != "attributes" && values.name != "markers") || values.components != 1 ||
+      values.integers.empty() || values.integers.size() != values.items() || has_step(values) ||
+      !values.labels.empty() || !values.nodes.empty())
+    return false;
+  NegativeTags all = tags;
+  for (std::size_t i = 0; i < values.integers.size(); ++i) {
+    const std::optional<std::int64_t> tag = tag_at(values, i);
+    if (tag == 0) continue;
+    const std::int64_t element =
+        values.at.empty() ? static_cast<std::int64_t>(values.first + i) : values.at[i];
+    if (!tag || *tag > 0 || element < 0 || element >= static_cast<std::int64_t>(document.elements()) ||
+        block_of(document.blocks, static_cast<std::size_t>(element)).groups != 0 ||
+        !all.try_emplace(static_cast<std::size_t>(element), *tag).second)
+      return false;
+  }
+  if (all.size() == tags.size()) return false;
+  tags = std::move(all);
+  return true;
+}
+
 }  // namespace
+
+std::optional<Document> with_groups_below_zero(const Document& document) {
+  NegativeTags tags;
+  std::vector<bool> taken;
+  for (const Values& values : document.element_values)
+    taken.push_back(add_negative_tags(document, values, tags));
+  if (tags.empty()) return std::nullopt;
+  std::optional<Document> result = document;
+  result->element_values.clear();
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    if (!taken[k]) result->element_values.push_back(document.element_values[k]);
+  TagSets sets(*result);
+  const auto groups_of = [&](const ElementBlock& block, std::size_t element) {
+    const auto tag = tags.find(element);
+    return tag == tags.end() ? block.groups : sets({tag->second});
+  };
+  result->blocks.clear();
+  for (const ElementBlock& block : document.blocks)
+    for (std::size_t e = block.first, end = block.first + block.count; e < end;) {
+      const std::int32_t groups = groups_of(block, e);
+      std::size_t behind = e + 1;
+      while (behind < end && groups_of(block, behind) == groups) ++behind;
+      add(result->blocks, block, e, behind, groups);
+      e = behind;
+    }
+  return result;
+}
 
 bool are_tags(const Values& values) {
   if (values.components != 1 || !values.at.empty() || !values.nodes.empty() || !values.labels.empty() ||

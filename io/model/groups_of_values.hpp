@@ -2,6 +2,7 @@
 // Numbers behind elements that are tags: they become physical groups.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "io/document.hpp"
@@ -17,5 +18,9 @@ void make_groups_of_values(Document&, const std::string& name);
 
 /// Whether `make_groups_of_values` would take such values, if their elements have no groups.
 bool are_tags(const Values&);
+
+/// For formats in which groups may be below 0, as Medit's references: the document with TetGen's negative
+/// attributes and markers as groups of elements that have no other. Nothing: there are none.
+std::optional<Document> with_groups_below_zero(const Document&);
 
 }  // namespace tetproof::io

@@ -21,10 +21,10 @@ namespace tetproof::io {
 /// Read with a warning: files without $Nodes or $Elements; totals of 4.0 and 4.1 that disagree with the
 /// blocks; names of physical groups without a dimension, as 2.0 has them.
 ///
-/// Listed as dropped: lines behind those that a section announces, bytes behind the last section, texts
-/// behind the names of sections and beside the names of physical groups, tags of elements that have no
-/// meaning (2.2: behind the partitions), the parents of sub-elements in version 3, and a supplement that is
-/// outdated.
+/// Listed as dropped: lines or bytes behind those that a section announces, bytes between sections and
+/// behind the last one, texts behind the names of sections and beside the names of physical groups, tags of
+/// elements that have no meaning (2.2: behind the partitions), the parents of sub-elements in version 3, and
+/// a supplement that is outdated.
 Document read_msh(const InputFile& file);
 
 /// Binary numbers are in this machine's byte order, which the file names. What has no place where Gmsh looks

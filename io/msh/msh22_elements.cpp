@@ -35,6 +35,8 @@ void Elements22::set_tags(std::span<const std::int64_t> tags) {
   }
   // A third tag announces partitions. Without any behind it, it says nothing that is kept.
   if (count == 3 && kind_ == ElementTags::v22 && tags_[2] != 0) --meant;
+  // A last 0 is the writer's, by which an element that looks like a copy of the one before is told apart.
+  if (count == meant + 1 && kind_ == ElementTags::v22 && tags_.back() == 0) ++meant;
   spare_each_ = static_cast<std::size_t>(count - meant);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/model/block_of.hpp"
 #include "io/model/tag_sets.hpp"
 
 namespace tetproof::io {
@@ -19,16 +20,10 @@ bool has_ghosts(const std::vector<std::int64_t>& partitions) {
          std::any_of(partitions.begin(), partitions.end(), [](std::int64_t p) { return p > 0; });
 }
 
-bool joins(const ElementBlock& before, const ElementBlock& block) {
-  return before.type == block.type && before.dim == block.dim && before.entity == block.entity &&
-         before.groups == block.groups && before.partitions == block.partitions &&
-         before.nodes_each == block.nodes_each && before.of_boundary == block.of_boundary;
-}
-
 void join_blocks(std::vector<ElementBlock>& blocks) {
   std::vector<ElementBlock> joined;
   for (const ElementBlock& block : blocks)
-    if (!joined.empty() && joins(joined.back(), block))
+    if (!joined.empty() && are_alike(joined.back(), block))
       joined.back().count += block.count;
     else
       joined.push_back(block);
@@ -86,7 +81,7 @@ GhostBlocks blocks_with_ghosts(const Document& document) {
           one.partitions = place->second;
         }
       }
-      if (e > block.first && joins(cut.blocks.back(), one))
+      if (e > block.first && are_alike(cut.blocks.back(), one))
         ++cut.blocks.back().count;
       else
         cut.blocks.push_back(one);

@@ -88,15 +88,17 @@ class ElementReader {
     elements_.finish();
   }
 
-  // Headers (type, number of elements, number of tags), each followed by its elements (tag, tags, nodes).
+  // Headers (type, number of elements, number of tags), each followed by its elements (tag, tags, nodes). As
+  // in Gmsh, a header may have more elements than are left of those that the section announces.
   void read_binary(std::int64_t count) {
     make_room(count);
+    const std::size_t start = in_.offset();
     for (std::int64_t left = count; left > 0;) {
       set_type(in_.integer("an element type"));
       if (!type_) in_.fail(fmt::format("unknown element type {}", number_));
       const std::int64_t here = in_.integer("the number of elements that follow");
-      if (here < 1 || here > left)
-        in_.fail(fmt::format("expected the number of elements that follow, 1 to {}, found {}", left, here));
+      if (here < 1)
+        in_.fail(fmt::format("expected the number of elements that follow, 1 or more, found {}", here));
       const std::int64_t tags = in_.integer("the number of tags");
       in_.check_count(tags, "the number of tags", 4);
       in_.check_count(here, "the number of elements that follow", 4 * (1 + tags + type_->nodes));
@@ -110,6 +112,10 @@ class ElementReader {
         elements_.add(tag, read_nodes(type_->nodes));
       }
       left -= here;
+      if (left < 0)
+        document_.warnings.push_back(fmt::format("{}: byte {}: {} {} announced, and {} are there",
+                                                 document_.path, start, counted(count, "elements"),
+                                                 count == 1 ? "is" : "are", count - left));
     }
     elements_.finish();
   }

@@ -42,6 +42,7 @@ class Reader {
       const std::string_view word = in_.word();
       if (document_.format.empty() && (word == "$NOD" || word == "$NOE")) document_.format = "msh1";
       if (word.size() < 2 || word[0] != '$') {
+        if (!document_.format.empty() && drop_to_next_section(start)) continue;
         if (!has_nodes_ || !has_elements_) in_.fail("a section ($Name)", word);
         add_loss(document_.dropped, "bytes behind the last section", file_.bytes().size() - start,
                  fmt::format("byte {}", start), may_be_elements(file_.bytes().substr(start)));
@@ -64,6 +65,21 @@ class Reader {
   }
 
  private:
+  // Gmsh passes over lines between sections. False: no section follows.
+  bool drop_to_next_section(std::size_t start) {
+    const std::string_view bytes = file_.bytes();
+    std::size_t next = start;
+    do {
+      next = bytes.find('$', next + 1);
+      if (next == std::string_view::npos || next + 1 >= bytes.size()) return false;
+    } while ((bytes[next - 1] != '\n' && bytes[next - 1] != '\r') || bytes[next + 1] < 'A' ||
+             bytes[next + 1] > 'Z');
+    add_loss(document_.dropped, "bytes between sections", next - start, fmt::format("byte {}", start),
+             may_be_elements(bytes.substr(start, next - start)));
+    go_to(next);
+    return true;
+  }
+
   // A section begins in the line after its name.
   void behind_the_name(const std::string& name) {
     if (!in_.at_line_end())
@@ -122,13 +138,24 @@ class Reader {
         fmt::format("{}:{}: section ${} ends with {}", file_.path(), in_.line(), name, word));
   }
 
-  // Gmsh passes over lines behind those that a section announces.
+  // Gmsh passes over lines behind those that a section announces, and over bytes in binary.
   void drop_rows(const std::string& name) {
-    if (format_.binary || !in_.at_line_end()) return;
     const bool elements = name == "Elements" || name == "ELM";
+    if (format_.binary) return drop_bytes(name, elements);
+    if (!in_.at_line_end()) return;
     for (; !in_.at_end() && in_.peek_byte() != '$'; in_.next_line())
       add_loss(document_.dropped, fmt::format("lines of ${} behind those that it announces", name), 1,
                fmt::format("line {}", in_.line()), elements);
+  }
+
+  void drop_bytes(const std::string& name, bool elements) {
+    if (Scanner(in_).word().starts_with("$End")) return;
+    const std::size_t start = in_.offset(), end = end_of_section(name, start);
+    if (end == std::string_view::npos) return;
+    const bool has_line = end > start && file_.bytes()[end - 1] == '\n';  // a line end stands before $End
+    add_loss(document_.dropped, fmt::format("bytes of ${} behind those that it announces", name),
+             end - start - (has_line ? 1 : 0), fmt::format("byte {}", start), elements);
+    go_to(end);
   }
 
   static bool is_data(const std::string& name) {
@@ -187,23 +214,28 @@ class Reader {
     go_to(numbers.offset());
   }
 
-  // The content of a section that is not read word by word. Continues behind its end.
-  std::string_view verbatim(const std::string& name) {
+  // Where the first `$Endname` behind `start` stands: in a text, at the start of a line. npos: nowhere.
+  std::size_t end_of_section(const std::string& name, std::size_t start) const {
     const std::string end = "$End" + name;
-    const std::size_t start = in_.offset();
     const std::string_view bytes = file_.bytes();
-    std::size_t stop = start;
-    for (;; ++stop) {
-      stop = bytes.find(end, stop);
-      if (stop == std::string_view::npos)  // the place is the line of the section's name, not the next one
-        Scanner(file_.path(), bytes, start - 1).fail_in_line(fmt::format("section ${} has no {}", name, end));
+    for (std::size_t stop = start; (stop = bytes.find(end, stop)) != std::string_view::npos; ++stop) {
       const std::size_t after = stop + end.size();
       const bool starts_line =
           format_.binary || stop == start || bytes[stop - 1] == '\n' || bytes[stop - 1] == '\r';
-      if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' ')) break;
+      if (starts_line && (after == bytes.size() || static_cast<unsigned char>(bytes[after]) <= ' '))
+        return stop;
     }
-    go_to(stop + end.size());
-    return bytes.substr(start, stop - start);
+    return std::string_view::npos;
+  }
+
+  // The content of a section that is not read word by word. Continues behind its end.
+  std::string_view verbatim(const std::string& name) {
+    const std::size_t start = in_.offset(), stop = end_of_section(name, start);
+    if (stop == std::string_view::npos)  // the place is the line of the section's name, not the next one
+      Scanner(file_.path(), file_.bytes(), start - 1)
+          .fail_in_line(fmt::format("section ${} has no $End{}", name, name));
+    go_to(stop + name.size() + 4);
+    return file_.bytes().substr(start, stop - start);
   }
 
   void keep(const std::string& name) {

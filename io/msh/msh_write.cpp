@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/msh/msh_write.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "io/bytes/words.hpp"
@@ -44,18 +45,25 @@ std::string msh_kept_sections(const Document& document, const Holds& holds, bool
 
 std::string MshFilePlan::warning(const std::string& path) {
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  std::size_t count = 0;
-  std::int64_t first = 0;
-  for (const ElementBlock& block : document_.blocks)
-    for (const std::int64_t group : document_.tag_sets[static_cast<std::size_t>(block.groups)]) {
-      if ((group >= -most && group <= most) || block.count == 0) continue;
-      if (count == 0) first = group;
+  std::string texts;
+  const auto look_for = [&](const char* which, const auto& is_one) {
+    std::size_t count = 0;
+    std::int64_t first = 0;
+    for (const ElementBlock& block : document_.blocks) {
+      const auto& groups = document_.tag_sets[static_cast<std::size_t>(block.groups)];
+      const auto one = std::find_if(groups.begin(), groups.end(), is_one);
+      if (one == groups.end() || block.count == 0) continue;
+      if (count == 0) first = *one;
       count += block.count;
-      break;
     }
-  if (count == 0) return "";
-  return fmt::format("{}: Gmsh takes physical groups beyond 32 bits for others: {}, the first in {}", path,
-                     counted(count, "elements"), first);
+    if (count > 0)
+      texts += fmt::format("{}{}: {}, the first in {}", texts.empty() ? "" : ", and those ", which,
+                           counted(count, "elements"), first);
+  };
+  look_for("beyond 32 bits for others", [](std::int64_t group) { return group < -most || group > most; });
+  if (!document_.format.starts_with("msh"))
+    look_for("below 0 for those above 0", [](std::int64_t group) { return group < 0 && group >= -most; });
+  return texts.empty() ? "" : fmt::format("{}: Gmsh takes physical groups {}", path, texts);
 }
 
 void MshFilePlan::write(const std::string& path, const std::string& supplement) {

@@ -61,7 +61,8 @@ void write_msh_data(AtomicFile& file, const MshTags& tags, const Holds& holds, c
 class MshFilePlan : public FilePlan {
  public:
   using FilePlan::FilePlan;
-  /// Warns of physical groups beyond 32 bits, which our reader takes back and Gmsh reads as others.
+  /// Warns of physical groups that our reader takes back and Gmsh reads as others: those beyond 32 bits, and
+  /// those below 0 that are not Gmsh's own.
   std::string warning(const std::string& path) final;
   void write(const std::string& path, const std::string& supplement) final;
 

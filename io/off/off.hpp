@@ -19,8 +19,8 @@ namespace tetproof::io {
 /// Nodes are numbered from 0. A face of two corners is a line, a face of one corner is a point. Values of
 /// nodes: "normal", "color" (3 or 4 components, also in plain OFF), "texture". Values of elements: "color".
 /// Colours are integers if all colours of the file with this number of components are. Other numbers behind a
-/// point or a face are dropped. The comments above the counts are the title. 4OFF and nOFF are refused.
-/// Throws InputError.
+/// point or a face are dropped, and so is what follows the last face. The comments above the counts are the
+/// title. 4OFF and nOFF are refused. Throws InputError.
 ReadDocument read_off(const InputFile& file, Wanted wanted);
 
 /// Plans OFF as text, with exact numbers. It holds all points; faces by their corners, except those that name

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 #include "io/bytes/large_pages.hpp"
 #include "io/bytes/scanner.hpp"
@@ -129,26 +130,48 @@ class Reader {
 
   void read_faces(Scanner& scanner, std::size_t count) {
     Document& document = source_.document;
-    NodeIndex nodes(document);
     // No triangle is shorter than "3 0 1 2".
     const std::size_t likely = std::min<std::size_t>(count, scanner.remaining() / 7);
     reserve_in_large_pages(document.connectivity, 3 * likely);
     if (surface_) reserve_in_large_pages(source_.places, likely);
     const Scanner first_face = scanner;
-    const std::size_t dropped = document.dropped.size();
-    try {
-      read_faces_in_lines(scanner, count, nodes);
-    } catch (const InputError&) {
+    const std::size_t dropped = document.dropped.size(), values = document.element_values.size(),
+                      warnings = document.warnings.size();
+    const auto again = [&] {
       scanner = first_face;
       document.blocks.clear(), document.connectivity.clear(), document.unknown.clear();
-      document.dropped.resize(dropped), source_.places.clear();
-      if (!read_faces_over_lines(scanner, count, nodes)) throw;
+      document.dropped.resize(dropped), document.element_values.resize(values);
+      document.warnings.resize(warnings), source_.places.clear();
+    };
+    std::exception_ptr error;
+    try {
+      read_faces_in_lines(scanner, count);
+      if (scanner.at_end('#')) return;
+    } catch (const InputError&) {
+      error = std::current_exception();
     }
+    again();
+    if (read_faces_over_lines(scanner, count)) return;
+    if (error) std::rethrow_exception(error);
+    again();
+    read_faces_in_lines(scanner, count);
+    drop_lines(scanner);
+  }
+
+  // meshio passes over lines behind the last face that is announced. They may be faces.
+  void drop_lines(Scanner& scanner) {
+    scanner.at_end('#');
+    const std::size_t place = scanner.offset();
+    std::size_t lines = 0;
+    for (; !scanner.at_end('#'); scanner.next_line()) ++lines;
+    add_loss(source_.document.dropped, "lines behind the faces that are announced", lines,
+             example_line(file_.path(), text_, place), true);
   }
 
   // A face in each line; numbers behind its corners are a colour.
-  void read_faces_in_lines(Scanner& scanner, std::size_t count, NodeIndex& nodes) {
+  void read_faces_in_lines(Scanner& scanner, std::size_t count) {
     Document& document = source_.document;
+    NodeIndex nodes(document);
     Rows colors;
     std::vector<Index> corners;
     for (std::size_t i = 0; i < count; ++i) {
@@ -165,16 +188,13 @@ class Reader {
       else
         colors.add(i, numbers_, whole(0, numbers_.size()));
     }
-    if (!scanner.at_end('#')) {
-      const std::string_view found = scanner.word('#');
-      scanner.fail(fmt::format("the end of the file after {}", counted(count, "faces")), found);
-    }
     give_colors(std::move(colors), document.element_values, count, "faces");
   }
 
   // Faces that go on in the next line, which Geomview reads too. A face that lacks a corner looks the same,
   // so this is believed only if every number up to the file's end is one of a face, and none is a colour.
-  bool read_faces_over_lines(Scanner& scanner, std::size_t count, NodeIndex& nodes) {
+  bool read_faces_over_lines(Scanner& scanner, std::size_t count) {
+    NodeIndex nodes(source_.document);
     std::vector<Index> corners;
     std::int64_t number = 0, first_line = 0;
     const auto next = [&] { return !scanner.at_end('#') && parse_integer(scanner.word('#'), number); };

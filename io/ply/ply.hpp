@@ -14,8 +14,9 @@ namespace tetproof::io {
 /// Reads PLY: text, and binary in both byte orders. Nodes are element `vertex` with x, y, z, numbered from 0.
 /// Faces are element `face` with a list `vertex_indices` or `vertex_index`. Strips of triangles are element
 /// `tristrips` with such a list, in which -1 ends a strip, and become triangles. Lines are element `edge`
-/// with `vertex1` and `vertex2`, and come behind the faces. The elements may come in any order, and their
-/// properties may have any type.
+/// with `vertex1` and `vertex2`, and come behind the faces; a face of two corners is a line where it stands,
+/// and a face of one corner a point. What follows the last element is dropped. The elements may come in any
+/// order, and their properties may have any type.
 ///  - Other properties of these elements are values. They are integers if the type is. Consecutive
 ///    properties become one list of values: nx ny nz "normal", red green blue [alpha] "color", s t "texture",
 ///    NAME_0 NAME_1 ... "NAME". Values of faces and of edges are one list if the properties have the same

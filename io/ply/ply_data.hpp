@@ -12,6 +12,7 @@
 #include "io/bytes/scanner.hpp"
 #include "io/bytes/text_encoding.hpp"
 #include "io/bytes/words.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/ply/ply_header.hpp"
 #include "io/surface/surface_document.hpp"
 
@@ -67,15 +68,25 @@ class PlyData {
     const std::string_view found = scanner_.word();
     scanner_.fail("the end of the line", found);
   }
-  /// InputError if anything but blanks follows the last element: its count is too small.
-  void end(const PlyElement& last) {
-    if (scanner_.at_end() || (header_.text && scanner_.offset() >= end_of_text(file_.bytes()))) return;
-    const std::string expected =
-        fmt::format("the end of the file after {} of element '{}'", last.count, shown_name(last.name));
-    if (!header_.text)
-      fail(fmt::format("expected {}, found {}", expected, counted(scanner_.remaining(), "more bytes")));
-    const std::string_view found = scanner_.word();
-    scanner_.fail(expected, found);
+  /// Lists what follows the last element, as VTK and meshio pass over it. It may be elements, if the counts
+  /// are too small.
+  void end(Document& document) {
+    if (scanner_.at_end()) return;
+    const std::size_t start = scanner_.offset();
+    if (!header_.text) {
+      constexpr std::size_t smallest_face = 1 + 3;  // with vertices of one byte
+      add_loss(document.dropped, "bytes behind the last element", scanner_.remaining(),
+               fmt::format("byte {}", start), scanner_.remaining() >= smallest_face);
+      return;
+    }
+    double number;
+    const bool elements = parse_real(scanner_.peek_word(), number);
+    const std::string first = fmt::format("line {}", scanner_.line());
+    std::size_t lines = 0;
+    for (const std::size_t end = end_of_text(file_.bytes()); !scanner_.at_end() && scanner_.offset() < end;
+         scanner_.next_line())
+      ++lines;
+    add_loss(document.dropped, "lines behind the last element", lines, first, elements);
   }
   std::size_t remaining() const { return scanner_.remaining(); }
   [[noreturn]] void fail(const std::string& message) const {

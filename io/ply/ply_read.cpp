@@ -66,7 +66,7 @@ class Reader {
       read_other(element);
       faces_left -= has_faces;
     }
-    data_.end(header_.elements.back());
+    data_.end(source_.document);
     std::stable_partition(later.begin(), later.end(),
                           [&](const Later& one) { return one.element != edges_; });
     for (const Later& one : later) {
@@ -173,7 +173,8 @@ class Reader {
         for (Index& corner : corners) corner = nodes(data_.integer(*property.type, "a vertex"));
       }
       data_.end_instance();
-      if (corners.size() < 3) {
+      // A document has them as lines and points, as meshio does.
+      if (corners.size() < (surface_ ? 3u : 1u)) {
         const Scanner start(file_.path(), file_.bytes(), place);
         const std::string message =
             fmt::format("face has {}, expected at least 3", counted(corners.size(), "corners"));

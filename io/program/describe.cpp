@@ -14,6 +14,7 @@
 #include "io/bytes/one_line.hpp"
 #include "io/bytes/words.hpp"
 #include "io/model/element_types.hpp"
+#include "io/model/group_signs.hpp"
 
 namespace tetproof {
 namespace {
@@ -28,7 +29,7 @@ struct OfType {
 struct Figures {
   std::map<int, OfType> types;
   std::array<std::int64_t, 4> entities{};  // by dimension
-  // Elements by (dimension, group). A group's sign tells only how its elements are oriented.
+  // Elements by (dimension, group). The sign of Gmsh's groups tells only how their elements are oriented.
   std::map<std::pair<int, std::int64_t>, std::int64_t> groups;
   std::map<std::pair<int, std::int64_t>, std::string> names;
   std::set<std::int64_t> partitions;
@@ -49,7 +50,8 @@ Figures count(const Document& document) {
     }
     if (block.entity != 0) entities.insert({block.dim, block.entity});
     for (std::int64_t group : document.tag_sets[block.groups])
-      figures.groups[{block.dim, std::abs(group)}] += static_cast<std::int64_t>(block.count);
+      figures.groups[{block.dim, io::unsigned_group(document, group)}] +=
+          static_cast<std::int64_t>(block.count);
     const auto& partitions = document.tag_sets[block.partitions];
     figures.partitions.insert(partitions.begin(), partitions.end());
   }

@@ -18,7 +18,8 @@ namespace tetproof::io {
 /// facets are read if no byte is left behind them, else those that are announced. Bytes behind these are
 /// dropped, and so are facets that are announced but not there. Every other file is text: any number of
 /// solids, keywords in any case, `end` joined to its keyword or separate from it. Names and `endsolid` may be
-/// missing. Text behind the last solid is dropped. Coordinates of the text form are read as doubles.
+/// missing. Text behind the last solid is dropped, and lines `color`. Coordinates of the text form are read
+/// as doubles.
 ///
 /// Equal corners become one node (io/model/weld.hpp). Text: each solid is a physical group, see
 /// io/stl/stl_solids.hpp. Binary: the header, without blanks and zeros around it, is the title; attributes

@@ -174,6 +174,7 @@ class Reader {
     Scanner scanner = start_of_text(file_, text_);
     std::string_view word = scanner.word();
     if (!same_word(word, "solid") && !same_word(word, "facet")) scanner.fail("'solid'", word);
+    std::size_t colors = 0, first_color = 0;
     for (; !word.empty(); word = scanner.word()) {
       const std::size_t place = scanner.offset() - word.size();
       if (same_word(word, "facet")) {
@@ -186,6 +187,9 @@ class Reader {
         scanner.rest_of_line();  // the name again, or none
         scanner.at_end();
         behind_solid_ = scanner.offset();
+      } else if (same_word(word, "color")) {  // of a solid, as some programs write it and VTK passes over it
+        scanner.rest_of_line();
+        if (colors++ == 0) first_color = place;
       } else if (is_trailing(place)) {
         add_loss(document_.dropped, "bytes behind the last solid", text_.size() - place,
                  fmt::format("line {}", line_of(place)));
@@ -194,6 +198,9 @@ class Reader {
         scanner.fail("'facet', 'endsolid' or 'solid'", word);
       }
     }
+    if (colors > 0)
+      add_loss(document_.dropped, "colours of solids", colors,
+               example_line(file_.path(), text_, first_color));
   }
 
   // Whether the bytes from `place` on follow the end of a solid, and no facet is among them.

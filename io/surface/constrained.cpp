@@ -31,7 +31,7 @@ Kernel::Point_3 point(const Eigen::Vector3d& p) {
 
 // Follows an edge over the points that lie on it.
 void add_pieces(const Triangulation& triangulation, Triangulation::Vertex_handle from,
-                Triangulation::Vertex_handle to, std::int64_t count, std::vector<PlaneEdge>& pieces) {
+                Triangulation::Vertex_handle to, const PlaneEdge& edge, std::vector<PlaneEdge>& pieces) {
   while (from != to) {
     auto next = to;
     auto around = triangulation.incident_vertices(from);
@@ -43,7 +43,7 @@ void add_pieces(const Triangulation& triangulation, Triangulation::Vertex_handle
           CGAL::collinear_are_strictly_ordered_along_line(from->point(), vertex->point(), to->point()))
         next = vertex;
     } while (++around != first);
-    pieces.push_back({{from->info(), next->info()}, count});
+    pieces.push_back({{from->info(), next->info()}, edge.count, edge.net});
     from = next;
   }
 }
@@ -89,7 +89,7 @@ std::optional<PlaneTriangulation> constrained_triangulation(const std::vector<Ei
   PlaneTriangulation result;
   if (triangulation.dimension() < 2) return result;
   for (const PlaneEdge& edge : edges)
-    add_pieces(triangulation, ends(edge).first, ends(edge).second, edge.count, result.edges);
+    add_pieces(triangulation, ends(edge).first, ends(edge).second, edge, result.edges);
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
     result.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   return result;

@@ -12,10 +12,11 @@ namespace tetproof::io {
 
 using Triangle2 = std::array<std::int32_t, 3>;  ///< positions of points, anticlockwise
 
-/// An edge between two points that `count` sides of polygons cover.
+/// An edge between two points that `count` sides of polygons cover. `net`: how many more of them run from its
+/// first end to its second than back.
 struct PlaneEdge {
   std::array<std::int32_t, 2> ends{};
-  std::int64_t count = 1;
+  std::int64_t count = 1, net = 0;
 };
 
 struct PlaneTriangulation {

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "io/model/block_of.hpp"
+
 namespace tetproof::io {
 namespace {
 
@@ -75,12 +77,6 @@ bool has_form(const Values& values, std::size_t elements, KeptPart::Form form) {
   return !values.at.empty() || (values.first == 0 && values.items() == elements);
 }
 
-bool joins(const ElementBlock& before, const ElementBlock& next) {
-  return before.type == next.type && before.dim == next.dim && before.entity == next.entity &&
-         before.groups == next.groups && before.partitions == next.partitions &&
-         before.nodes_each == next.nodes_each && before.of_boundary == next.of_boundary;
-}
-
 // Puts the elements in this order, each with its corners. Facets, which name elements by position, are left
 // out: no format that is written from such a part holds them.
 void arrange(const std::vector<std::size_t>& elements, const Document& from, Document& to) {
@@ -93,7 +89,7 @@ void arrange(const std::vector<std::size_t>& elements, const Document& from, Doc
     if (const int corners = corners_kept(*block); corners > 0 && corners < block->nodes_each)
       one.type = type_of_corners(static_cast<std::size_t>(corners)), one.nodes_each = corners;
     one.first = to.element_tags.size(), one.nodes = to.connectivity.size(), one.count = 0;
-    if (to.blocks.empty() || !joins(to.blocks.back(), one)) to.blocks.push_back(one);
+    if (to.blocks.empty() || !are_alike(to.blocks.back(), one)) to.blocks.push_back(one);
     ++to.blocks.back().count;
     to.element_tags.push_back(from.element_tag(e));
     const Index* nodes = from.connectivity.data() + block->nodes +

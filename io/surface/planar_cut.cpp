@@ -42,15 +42,23 @@ class Mesh {
     for (const PlaneEdge& edge : edges) {
       count_[key(edge.ends[0], edge.ends[1])] += edge.count;
       count_[key(edge.ends[1], edge.ends[0])] += edge.count;
+      run(net_, edge.ends[0], edge.ends[1], edge.net);
     }
   }
 
   void leave_outside(bool odd, const std::vector<std::size_t>& in_holes);
+  bool has_sides_of_edges() const;
   void make_delaunay(const std::vector<Vector2d>& points, const PlaneSlope& slope);
   std::size_t find(const Vector2d& point, const std::vector<Vector2d>& points) const;
   const std::vector<Triangle2>& triangles() const { return triangles_; }
 
  private:
+  using Net =
+      std::unordered_map<std::uint64_t, std::int64_t>;  // by side, upwards: how much more up than down
+  static void run(Net& net, std::int32_t from, std::int32_t to, std::int64_t more) {
+    net[key(std::min(from, to), std::max(from, to))] += from < to ? more : -more;
+  }
+
   void enter(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k)
       of_side_[key(triangles_[t][k], triangles_[t][(k + 1) % 3])] = static_cast<std::int32_t>(t);
@@ -67,6 +75,7 @@ class Mesh {
   std::vector<Triangle2> triangles_;
   std::unordered_map<std::uint64_t, std::int32_t> of_side_;  // by directed side: its triangle
   std::unordered_map<std::uint64_t, std::int64_t> count_;    // by directed side: how many edges cover it
+  Net net_;                                                  // of the edges
 };
 
 // Keeps what lies inside.
@@ -107,6 +116,15 @@ void Mesh::leave_outside(bool odd, const std::vector<std::size_t>& in_holes) {
   triangles_ = std::move(kept);
   of_side_.clear();
   for (std::size_t t = 0; t < triangles_.size(); ++t) enter(t);
+}
+
+// Whether the triangles run all sides as the edges do. If not, some of these run around a part the wrong way:
+// the polygon crosses itself at one of its corners.
+bool Mesh::has_sides_of_edges() const {
+  Net left = net_;
+  for (const Triangle2& t : triangles_)
+    for (std::size_t k = 0; k < 3; ++k) run(left, t[k], t[(k + 1) % 3], -1);
+  return std::all_of(left.begin(), left.end(), [](const auto& side) { return side.second == 0; });
 }
 
 // Lawson's flips. A diagonal that is no given edge is exchanged if the fourth point lies in the circle, or on
@@ -162,15 +180,18 @@ struct Plane {
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
     for (const Index i : at) points.push_back(view(all[static_cast<std::size_t>(i)]));
-    std::map<std::array<std::int32_t, 2>, std::int64_t> counts;
+    std::map<std::array<std::int32_t, 2>, PlaneEdge> all_edges;
     for (const auto& polygon : facet.polygons) {
       const std::size_t n = polygon.size();
       for (std::size_t k = n == 2 ? 1 : 0; k < n; ++k) {
         const std::int32_t from = local(polygon[k]), to = local(polygon[(k + 1) % n]);
-        if (from != to) ++counts[{std::min(from, to), std::max(from, to)}];
+        if (from == to) continue;
+        const std::array ends{std::min(from, to), std::max(from, to)};
+        PlaneEdge& edge = all_edges.try_emplace(ends, PlaneEdge{ends, 0, 0}).first->second;
+        ++edge.count, edge.net += from < to ? 1 : -1;
       }
     }
-    for (const auto& [ends, count] : counts) edges.push_back({ends, count});
+    for (const auto& [ends, edge] : all_edges) edges.push_back(edge);
   }
 
   std::int32_t local(Index i) const {
@@ -211,6 +232,7 @@ std::string cut_planar(const PlanarFacet& facet, const std::vector<Vector3d>& po
     else if (const std::size_t t = mesh.find(view(hole), plane.points); t < mesh.triangles().size())
       in_holes.push_back(t);
   mesh.leave_outside(facet.odd, in_holes);
+  if (facet.odd && !mesh.has_sides_of_edges()) return "crosses itself";
   mesh.make_delaunay(plane.points, view.slope);
   std::vector<std::array<Index, 3>> cut;
   for (Triangle2 t : mesh.triangles()) {

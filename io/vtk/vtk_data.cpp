@@ -158,6 +158,8 @@ void VtkDataReader::field() {
       add_vtk_field(document_, std::move(column));
     else if (items == items_)
       take(std::move(column));
+    else if (items == 0)  // VTK keeps it too, and shows nothing
+      add_loss(document_.dropped, "arrays without values", 1, fmt::format("\"{}\"", column.name));
     else
       in_.fail_in_line(
           fmt::format("array \"{}\": expected {}, found {}", column.name, counted(items_, "tuples"), items));

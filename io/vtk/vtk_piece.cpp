@@ -174,10 +174,25 @@ class Adder {
       bezier_ += is_bezier(known_.type);
       return element(c, known_.type, nodes);
     }
+    if (has_fixed_size(type) && with_surplus(c, nodes)) return;
     if (has_fixed_size(type))
       fail(fmt::format("cell {}: a cell of VTK's type {} does not have {}", c, type, counted(n, "points")));
     left_out_ = true;
     drop(c, n);
+  }
+
+  // Gmsh writes elements of third order as cells of first order with all their points. VTK takes the first.
+  bool with_surplus(std::size_t c, std::span<const std::int64_t> nodes) {
+    constexpr std::size_t most = 27;  // points of a cell of a fixed size
+    for (std::size_t n = std::min(most + 1, nodes.size()); n-- > 1;)
+      if (const int gmsh = gmsh_type_of_cell(piece_.types[c], n); gmsh != 0) {
+        add_loss(document_.dropped, "points of cells behind those that their type has", nodes.size() - n,
+                 fmt::format("cell {}{}: {} of type {}", c, piece_.which, counted(nodes.size(), "points"),
+                             piece_.types[c]));
+        element(c, gmsh, nodes.first(n));
+        return true;
+      }
+    return false;
   }
 
   // The list of a polyhedron's faces, as it stands in the file.

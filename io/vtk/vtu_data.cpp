@@ -173,15 +173,17 @@ void read_compressed(const VtuEncoding& file, Source& source, std::optional<std:
   }
 }
 
-void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<std::size_t> count,
-                Column& column) {
+// VTK passes over what follows the values. Returns how many bytes these are.
+std::size_t read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<std::size_t> count,
+                       Column& column) {
   Scanner in(file.path, file.bytes.substr(0, place.end), place.begin);
   const std::size_t most = count.value_or(std::numeric_limits<std::size_t>::max());
   std::size_t found = 0;
   for (std::string text; !in.at_end(); ++found) {
-    if (found == most && column.type != "String")
-      in.fail_in_line(
-          fmt::format("array \"{}\": expected {}, found more", column.name, counted(most, "values")));
+    if (found == most && column.type != "String") {
+      const std::string_view left = file.bytes.substr(in.offset(), place.end - in.offset());
+      return left.find_last_not_of(" \t\r\n") + 1;
+    }
     if (is_real_type(column.type)) {
       column.reals.push_back(in.real("a number"));
     } else if (column.type == "String") {
@@ -199,6 +201,7 @@ void read_ascii(const VtuEncoding& file, const VtuPlace& place, std::optional<st
   if (count && column_size(column) != *count)
     in.fail_in_line(fmt::format("array \"{}\": expected {}, found {}", column.name, counted(*count, "values"),
                                 column_size(column)));
+  return 0;
 }
 
 // In binary, eight bits are a byte, and the last byte may have bits behind them.
@@ -220,8 +223,7 @@ std::size_t read_vtu_array(const VtuEncoding& encoding, const VtuPlace& place,
                            std::optional<std::size_t> count, Column& column) {
   if (place.kind == VtuPlace::ascii) {
     if (column.type == "Bit") column.type = "UInt8";
-    read_ascii(encoding, place, count, column);
-    return 0;
+    return read_ascii(encoding, place, count, column);
   }
   if (column.type == "Bit") return read_bits(encoding, place, count, column);
   Source source(encoding, place);

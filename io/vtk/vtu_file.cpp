@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/bytes/scanner.hpp"
+#include "io/bytes/tokens.hpp"
 #include "io/bytes/words.hpp"
 #include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_types.hpp"
@@ -123,7 +124,7 @@ Column VtuFile::column(const pugi::xml_node& node, std::optional<std::size_t> it
 }
 
 VtuPlace VtuFile::place(const pugi::xml_node& node) const {
-  const std::string format = node.attribute("format").as_string("ascii");
+  const std::string format = lower_case(node.attribute("format").as_string("ascii"));
   if (format == "appended") {
     const char* text = node.attribute("offset").value();
     std::int64_t offset = 0;

@@ -8,7 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "io/bytes/scanner.hpp"
 #include "io/bytes/words.hpp"
+#include "io/loss/loss_list.hpp"
 #include "io/vtk/vtk_lattice.hpp"
 #include "io/vtk/vtk_lattice_join.hpp"
 #include "io/vtk/vtk_types.hpp"
@@ -23,10 +25,15 @@ class Reader {
       : file_(file), grid_(grid), kind_(kind), bytes_(bytes), document_(document), parts_(file, document) {}
 
   VtkPiece read(std::size_t& filled) {
+    list_surplus(grid_, "WholeExtent", 6);
+    if (kind_ == VtuLattice::image)
+      list_surplus(grid_, "Origin", 3), list_surplus(grid_, "Spacing", 3),
+          list_surplus(grid_, "Direction", 9);
     std::vector<VtkLatticePiece> pieces;
     std::vector<pugi::xml_node> nodes;
     std::size_t number = 0;
     for (const pugi::xml_node node : grid_.children("Piece")) {
+      list_surplus(node, "Extent", 6);
       VtkLatticePiece one = extent(node);
       one.piece.which = fmt::format(" of piece {}", number++);
       if (std::find(one.dimensions.begin(), one.dimensions.end(), 0) != one.dimensions.end()) continue;
@@ -47,6 +54,18 @@ class Reader {
   }
 
  private:
+  // Lists what stands in an attribute behind so many numbers.
+  void list_surplus(const pugi::xml_node& node, const char* attribute, int numbers) {
+    Scanner in(document_.path, node.attribute(attribute).value());
+    for (int k = 0; k < numbers; ++k) in.word();
+    if (in.at_end()) return;
+    const std::string example = fmt::format("line {}: {}", file_.line_of(node), Scanner(in).rest_of_line());
+    std::size_t more = 0;
+    for (; !in.at_end(); ++more) in.word();
+    add_loss(document_.dropped, fmt::format("words behind the {} numbers of {}", numbers, attribute), more,
+             example);
+  }
+
   // From which to which index a piece goes.
   VtkLatticePiece extent(const pugi::xml_node& node) const {
     std::array<std::int64_t, 6> extent{0, -1, 0, -1, 0, -1};

@@ -13,10 +13,11 @@ namespace tetproof::test {
 /// A part as text.
 struct Text {
   std::string text;
-  std::int64_t count = 1;  ///< how much the list of losses counts for it
-  std::string item;        ///< the name of its loss
-  bool gone = false;       ///< it belonged to nodes or elements that are lost
-  std::string format{};    ///< of the file that the document was read from
+  std::int64_t count = 1;              ///< how much the list of losses counts for it
+  std::string item;                    ///< the name of its loss
+  bool gone = false;                   ///< it belonged to nodes or elements that are lost
+  bool may_be_said_otherwise = false;  ///< the rest may say it, so that it may be no loss
+  std::string format{};                ///< of the file that the document was read from
 
   /// Its lines: values by node or element, columns of a table, or the title.
   struct Line {

@@ -58,6 +58,7 @@ class Comparison {
         may_be_surface_(may_be_surface()) {}
 
   std::vector<Difference> list() {
+    groups_below_zero();
     nodes();
     elements();
     order_and_numbers();
@@ -92,6 +93,31 @@ class Comparison {
     return !before_.facets.empty() || std::all_of(sides.begin(), sides.end(), [](const auto& side) {
       return side.second == 0 || side.first.first == side.first.second;
     });
+  }
+
+  // TetGen's numbers below 0 may come back as groups: both say the same of elements that have no other group.
+  void groups_below_zero() {
+    for (const Values& values : before_.element_values) {
+      if ((values.name != "attributes" && values.name != "markers") || values.components != 1) continue;
+      bool all = !values.integers.empty() && values.integers.size() == values.items();
+      std::map<std::size_t, std::int64_t> numbers;
+      for (std::size_t i = 0; all && i < values.integers.size(); ++i) {
+        const auto e = values.at.empty() ? static_cast<Index>(values.first + i) : values.at[i];
+        if (values.integers[i] == 0) continue;
+        all = values.integers[i] < 0 && e >= 0 && at(e) < old_.size() && old_[at(e)].groups.empty() &&
+              numbers.emplace(at(e), values.integers[i]).second;
+      }
+      bool any = false;
+      for (const auto& [e, number] : numbers) {
+        const Index came = pairs_.element_after[e];
+        any = any || came != none;
+        all = all && (came == none || new_[at(came)].groups == std::vector<std::int64_t>{number});
+      }
+      // Numbers of lost elements are lost with these where others would have come as groups.
+      if (!all || numbers.empty() || (!any && after_.format != "medit")) continue;
+      for (const auto& [e, number] : numbers) old_[e].groups = {number};
+      became_groups_.insert(&values);
+    }
   }
 
   void nodes() {
@@ -202,7 +228,8 @@ class Comparison {
           "that faces are TetGen's facets, which have no direction and may lie inside of the body", 1,
           example, may_be_surface_, example);
     else if (was.of_boundary != is.of_boundary)
-      differences_.add_one("that faces are of a mesh, not facets of a body to mesh", example);
+      differences_.add("that faces are of a mesh, not facets of a body to mesh", 1, example, may_be_surface_,
+                       example);
     for (std::size_t k = 0; k < is.nodes.size(); ++k) {
       if (is.nodes[k] >= 0) continue;
       const std::int64_t a = before_.named(was.nodes[k]), b = after_.named(is.nodes[k]);
@@ -266,22 +293,29 @@ class Comparison {
                 element_is = name_in(after_, &elements_before, nullptr, &lost_elements);
     texts(texts_of_values(before_.node_values, "nodes", node_was),
           texts_of_values(after_.node_values, "nodes", node_is));
-    texts(texts_of_values(before_.element_values, "elements", element_was),
+    std::vector<Values> element_values;
+    for (const Values& values : before_.element_values)
+      if (became_groups_.count(&values) == 0) element_values.push_back(values);
+    texts(texts_of_values(element_values, "elements", element_was),
           texts_of_values(after_.element_values, "elements", element_is));
     texts(texts_of_values(before_.element_node_values, "elements' nodes", element_was),
           texts_of_values(after_.element_node_values, "elements' nodes", element_is));
     texts(texts_of_names(before_), texts_of_names(after_));
     texts(texts_of_links(before_, node_was), texts_of_links(after_, node_is));
     texts(texts_of_ghosts(before_, element_was), texts_of_ghosts(after_, element_is));
-    texts(texts_of_boundary(before_, node_was, element_was), texts_of_boundary(after_, node_is, element_is));
+    std::vector<Text> boundary_was = texts_of_boundary(before_, node_was, element_was);
+    for (Text& text : boundary_was) text.may_be_said_otherwise = may_be_surface_ && text.item == "holes";
+    texts(std::move(boundary_was), texts_of_boundary(after_, node_is, element_is));
     texts(texts_of_voronoi(before_), texts_of_voronoi(after_));
     texts(texts_of_rest(before_), texts_of_rest(after_));
   }
 
   const Document &before_, &after_;
-  const std::vector<Element> old_, new_;
+  std::vector<Element> old_;
+  const std::vector<Element> new_;
   const Pairing pairs_;
   const bool may_be_surface_;
+  std::set<const Values*> became_groups_;
   std::set<std::int64_t> renumbered_unknown_;
   DifferenceList differences_;
 };

@@ -77,7 +77,7 @@ void compare_texts(std::vector<Text> was, std::vector<Text> is, DifferenceList& 
     return true;
   });
   for (const Text& text : was) {
-    differences.add(text.item, text.count, text.text, text.gone, text.subject);
+    differences.add(text.item, text.count, text.text, text.gone || text.may_be_said_otherwise, text.subject);
     for (auto t = is.begin(); t != is.end();) {
       if (!is_remnant(text, *t)) {
         ++t;

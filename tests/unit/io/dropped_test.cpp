@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of Medit, Gmsh and TetGen files drop, kind by kind. For VTK see vtk/vtk_dropped_test.cpp.
+// What the readers of Medit, Gmsh, TetGen, STL, OFF and PLY files drop, kind by kind. For VTK see
+// vtk/vtk_dropped_test.cpp.
 #include <bit>
 #include <cstdint>
 
+#include "io/surface_files.hpp"
 #include "tests/support/binary_bytes.hpp"
+#include "tests/support/document_text.hpp"
 #include "tests/support/dropped_files.hpp"
 
 namespace tetproof {
@@ -67,6 +70,61 @@ const std::vector<Case> of_medit{
     {"NothingOfMmgsMark", {{"a.meshb", meshb(12, {1, 1})}}, {}}};
 
 INSTANTIATE_TEST_SUITE_P(Medit, Dropped, testing::ValuesIn(of_medit), name_of);
+
+// Surfaces.
+
+const std::string off = "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n",
+                  ply_properties = "property char x\nproperty char y\nproperty char z\n",
+                  ply_faces = "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n",
+                  ply_text = "ply\nformat ascii 1.0\nelement vertex 3\n" + ply_properties + ply_faces +
+                             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                  ply_binary = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + ply_properties +
+                               ply_faces + std::string("\0\0\0\1\0\0\0\1\0\3\0\1\2", 13);
+
+const std::vector<Case> of_surfaces{
+    {"OffNothing", {{"a.off", off + "\n# the end\n"}}, {}},
+    {"OffLines",
+     {{"a.off", off + "3 0 2 3\n# more\nend\n"}},
+     {"lines behind the faces that are announced: 2 (line 8: 3 0 2 3)"}},
+    {"OffNoNumbers",
+     {{"a.off", off + "end\n"}},
+     {"lines behind the faces that are announced: 1 (line 8: end)"}},
+    {"OffFaceOverLinesIsNone", {{"a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2\n3\n"}}, {}},
+    {"StlColours",
+     {{"a.stl",
+       "solid a\ncolor 0.1 0.2 0.3\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+       "vertex 0 1 0\nendloop\nendfacet\nendsolid a\nsolid b\nCOLOR 1 0 0\nendsolid b\n"}},
+     {"colours of solids: 2 (line 2: color 0.1 0.2 0.3)"}},
+    {"PlyNothing", {{"a.ply", ply_text + "\n \n"}}, {}},
+    {"PlyLines", {{"a.ply", ply_text + "3 2 1 0\nend\n"}}, {"lines behind the last element: 2 (line 14)"}},
+    {"PlyBytes", {{"a.ply", ply_binary + "xy"}}, {"bytes behind the last element: 2 (byte 181)"}}};
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Dropped, testing::ValuesIn(of_surfaces), name_of);
+
+// A face that is not read is an element which the surface lacks; a remark is none.
+TEST(LinesBehindASurface, MayBeElements) {
+  const test::TestFiles files;
+  const auto elements = [&](const char* name, const std::string& bytes) {
+    const Document document = read_document(files.write(name, bytes));
+    EXPECT_EQ(document.elements(), 1u) << bytes;
+    return document.dropped.at(0).elements;
+  };
+  EXPECT_TRUE(elements("a.off", off + "3 0 2 3\n"));
+  EXPECT_TRUE(elements("a.ply", ply_text + "3 2 1 0\n"));
+  EXPECT_FALSE(elements("a.ply", ply_text + "end\n"));
+  EXPECT_TRUE(elements("a.ply", ply_binary + std::string("\3\2\1\0", 4)));
+  EXPECT_FALSE(elements("a.ply", ply_binary + "xy"));
+}
+
+// VTK and meshio read faces of two corners. A surface has no such faces.
+TEST(Ply, HasFacesOfTwoCornersAsLines) {
+  const test::TestFiles files;
+  std::string text = ply_text.substr(0, ply_text.size() - 8) + "2 2 0\n";
+  const Document document = read_document(files.write("a.ply", text));
+  EXPECT_EQ(test::text_of(document, false), "n 0 0 0 0\nn 1 1 0 0\nn 2 0 1 0\ne 1 1 1/0 g p: 2 0\n");
+  EXPECT_EQ(files.message([&] { read_surface(files.path("a.ply")); }),
+            "a.ply:13: face has 2 corners, expected at least 3");
+}
 
 // Gmsh's files.
 
@@ -139,14 +197,29 @@ TEST(BytesBehindTheLastSection, MayBeElements) {
                                  "\xC3\xA9t\xC3\xA9\r\n", "-- end --"})
     EXPECT_FALSE(elements_in(text)) << text;
   for (const std::string& bytes :
-       {std::string("2 4 0 1 2 3 4\n"), std::string("more\n$Elements\n1\n2 4 0 1 2 3 4\n$EndElements\n"),
-        std::string("more $Elements"), std::string("more\n\n +5"), std::string("end\n.5"),
-        std::string("x\0\0\0", 4), std::string("2,4,0")})
+       {std::string("2 4 0 1 2 3 4\n"), std::string("more $Elements"), std::string("more\n\n +5"),
+        std::string("end\n.5"), std::string("x\0\0\0", 4), std::string("2,4,0")})
     EXPECT_TRUE(elements_in(bytes)) << bytes;
   EXPECT_EQ(
       read_document(files.write("a.msh", v22 + nodes22 + elements22("1 4 0 1 2 3 4\n") + " \n\t\r\n\v\f"))
           .dropped.size(),
       0u);
+}
+
+TEST(BytesBetweenSections, AreDroppedAndMayBeElements) {
+  const test::TestFiles files;
+  const std::string more = "$Elements\n1\n2 4 0 1 2 4 3\n$EndElements\n";
+  const Document document = read_document(files.write(
+      "a.msh", v22 + "// by hand\n" + nodes22 + elements22("1 4 0 1 2 3 4\n") + "costs $5\n\n" + more));
+  EXPECT_EQ(document.elements(), 2u);
+  ASSERT_EQ(document.dropped.size(), 1u);
+  EXPECT_EQ(document.dropped[0].item, "bytes between sections");
+  EXPECT_EQ(document.dropped[0].count, 11 + 10);
+  EXPECT_FALSE(document.dropped[0].elements);
+  const Document numbers = read_document(
+      files.write("a.msh", v22 + nodes22 + elements22("1 4 0 1 2 3 4\n") + "7 4 0 1 2 3 4\n" + more));
+  EXPECT_EQ(numbers.elements(), 2u);
+  EXPECT_TRUE(numbers.dropped.at(0).elements);
 }
 
 // TetGen's files.

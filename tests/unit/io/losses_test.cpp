@@ -108,6 +108,17 @@ TEST(WriteWarning, OfGroupsThatGmshTakesForOthers) {
         << format;
   document.tag_sets[1] = {2147483647};
   EXPECT_EQ(write_warning("a.msh", document), "");
+  // Of Medit's references, say. Gmsh's own signs say that elements are turned.
+  document.tag_sets[1] = {2147483648, -20};
+  EXPECT_EQ(
+      write_warning("a.msh", document),
+      "a.msh: Gmsh takes physical groups beyond 32 bits for others: 1 element, the first in 2147483648, "
+      "and those below 0 for those above 0: 1 element, the first in -20");
+  document.tag_sets[1] = {-20};
+  EXPECT_EQ(write_warning("a.msh", document),
+            "a.msh: Gmsh takes physical groups below 0 for those above 0: 1 element, the first in -20");
+  document.format = "msh22";
+  EXPECT_EQ(write_warning("a.msh", document), "");
 }
 
 // Gmsh's `Physical Surface(5) = {-1, 2}`: the elements of surface 1 are turned, and in group 5.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Binary .msh in both byte orders, built here byte by byte.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <tuple>
 
 #include "io/mesh_files.hpp"
 #include "tests/support/document_text.hpp"
@@ -109,6 +111,50 @@ TEST_P(BinaryMsh, Version22WithoutLineEndsBeforeTheEnds) {  // as some programs 
   const test::TestFiles files;
   EXPECT_EQ(test::text_of(read_document(files.write("a.msh", bytes.bytes()))),
             "msh22\nn 7 1 2 3\ne 1 15 0/4 g p: 7\n");
+}
+
+// Gmsh passes over what stands behind the announced rows up to the end of a section.
+TEST_P(BinaryMsh, RowsBehindThoseAnnouncedAreDropped) {
+  Bytes old(GetParam()), now(GetParam());
+  old.text("$MeshFormat\n2.2 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Nodes\n1\n").ints({7});
+  old.reals({1, 2, 3}).ints({8}).reals({4, 5, 6}).text("\n$EndNodes\n$Elements\n1\n");
+  old.ints({15, 1, 2, 1, 0, 4, 7, 15, 1, 2, 2, 0, 4, 7}).text("\n$EndElements\n");
+  now.text("$MeshFormat\n4.1 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Nodes\n").sizes({1, 1, 7, 7});
+  now.ints({0, 4, 0}).sizes({1, 7}).reals({1, 2, 3}).text("\n$Nodes\n\n$EndNodes\n$Elements\n");
+  now.sizes({1, 1, 1, 1}).ints({0, 4, 15}).sizes({1, 1, 7, 2, 7}).text("$EndElements\n$NodeData\n1\n\"T\"\n");
+  now.text("0\n3\n0\n1\n1\n").ints({7}).reals({0.5}).ints({8}).reals({1.5}).text("\n$EndNodeData\n");
+  const test::TestFiles files;
+  for (const auto& [bytes, content, lost] :
+       {std::tuple(old.bytes(), "msh22\nn 7 1 2 3\ne 1 15 0/4 g p: 7\n",
+                   "28 bytes of $Nodes (byte 77), 28 bytes of $Elements (byte 156), "),
+        {now.bytes(), "msh41\nn 7 1 2 3\nN 0/4 1: \ne 1 15 0/4 g p: 7\nv nodes T 1: 0.5\n",
+         "8 bytes of $Nodes (byte 131), 16 bytes of $Elements (byte 228), 12 bytes of $NodeData (byte "
+         "295), "}}) {
+    const Document document = read_document(files.write("a.msh", bytes));
+    EXPECT_EQ(test::text_of(document), content);
+    std::string dropped;
+    for (const Loss& loss : document.dropped) {
+      dropped += fmt::format("{} {} ({}), ", loss.count, loss.item.substr(0, loss.item.find(" behind")),
+                             loss.example);
+      EXPECT_EQ(loss.elements, loss.item.find("$Elements") != loss.item.npos) << loss.item;
+    }
+    EXPECT_EQ(dropped, lost);
+  }
+}
+
+// Gmsh reads all elements of a header, also beyond the number that the section announces.
+TEST_P(BinaryMsh, AHeaderWithMoreElementsThanAnnounced) {
+  Bytes bytes(GetParam());
+  bytes.text("$MeshFormat\n2.2 1 8\n").ints({1}).text("\n$EndMeshFormat\n$Nodes\n1\n").ints({7});
+  bytes.reals({1, 2, 3}).text("\n$EndNodes\n$Elements\n1\n");
+  bytes.ints({15, 2, 2, 1, 0, 4, 7, 2, 0, 4, 7}).text("\n$EndElements\n");
+  const test::TestFiles files;
+  const Document document = read_document(files.write("a.msh", bytes.bytes()));
+  EXPECT_EQ(document.elements(), 2u);
+  EXPECT_TRUE(document.dropped.empty());
+  ASSERT_FALSE(document.warnings.empty());
+  EXPECT_EQ(document.warnings[0].substr(files.path("").size()),
+            "a.msh: byte 100: 1 element is announced, and 2 are there");
 }
 
 TEST_P(BinaryMsh, Version40) {

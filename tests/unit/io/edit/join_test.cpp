@@ -53,6 +53,26 @@ TEST(Join, ValuesOfOneDocumentAlone) {
   EXPECT_NE(text.find("element q x1: 70 80 90 70 80 90 at 1 2 3 6 7 8\n"), text.npos) << text;
 }
 
+// TetGen says markers, Medit says references.
+TEST(Join, TagsOfNodesBecomeOneFromWhateverTool) {
+  const std::string
+      nodes = "2 3 0 1\n1 0 0 0 5\n2 1 0 0 6\n",
+      mesh = "MeshVersionFormatted 2\nDimension 3\nVertices 2\n2 0 0 7\n3 0 0 8\nEdges 1\n1 2 0\nEnd\n";
+  Document document = document_of_text("a.node", nodes);
+  io::join(document, document_of_text("b.mesh", mesh));
+  EXPECT_NE(left_of(document).find("node markers x1 i: 5 6 7 8\n"), std::string::npos) << left_of(document);
+  Document other = document_of_text("b.mesh", mesh);
+  io::join(other, document_of_text("a.node", nodes));
+  EXPECT_NE(left_of(other).find("node references x1 i: 7 8 5 6\n"), std::string::npos) << left_of(other);
+  // Where a file has both words, they are two things.
+  Document both = document_of_text("b.mesh", mesh);
+  both.node_values.push_back(both.node_values.at(0));
+  both.node_values.back().name = "markers";
+  io::join(document, std::move(both));
+  EXPECT_NE(left_of(document).find("node references x1 i: 7 8 from 4\n"), std::string::npos)
+      << left_of(document);
+}
+
 TEST(Join, UnknownNodesSectionsAndTitles) {
   Document document = part("a.msh", "steel", 1), other = part("b.msh", "steel", 1);
   document.unknown = {77}, document.connectivity[3] = -1;

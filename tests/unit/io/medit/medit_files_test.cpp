@@ -263,6 +263,34 @@ TEST(MeditFiles, ReferencesOfVertices) {
   }
 }
 
+// A group below 0 is another thing in Gmsh, so TetGen's are values. Medit's references may be below 0.
+TEST(MeditFiles, TakeTetGensMarkersBelowZeroAsReferences) {
+  const test::TestFiles files;
+  const std::string nodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n",
+                    faces = "4 1\n1 1 2 3 5\n2 1 2 4 -3\n3 2 3 4 0\n4 1 3 4 -3\n";
+  for (const auto& [markers, expected] : {std::pair(faces, "1 2 3 5\n1 2 4 -3\n2 3 4 0\n1 3 4 -3\n"),
+                                          {"2 1\n1 1 2 3 -1\n2 1 2 4 0\n", "1 2 3 -1\n1 2 4 0\n"}}) {
+    files.write("a.face", markers);
+    const Document document = read_document(files.write("a.node", nodes));
+    for (const char* to : {"b.mesh", "b.meshb"}) {
+      for (const Loss& loss : losses(files.path(to), document)) ADD_FAILURE() << to << ": " << loss.item;
+      write_document(files.path(to), document);
+      write_document(files.path("c.mesh"), read_document(files.path(to)));
+      const std::string text = files.read(files.path("c.mesh"));
+      const std::size_t from = text.find("Triangles\n") + 12;
+      EXPECT_EQ(text.substr(from, text.find("\nEnd") - from), expected) << to;
+      write_document(files.path("c.node"), read_document(files.path(to)));
+      const std::string again = files.read(files.path("c.face"));
+      EXPECT_EQ(again.substr(0, markers.size()), markers) << to;
+    }
+  }
+  // Numbers above 0 beside those below stay values: they are of elements in groups, say.
+  files.write("a.face", faces);
+  Document both = read_document(files.write("a.node", nodes));
+  both.element_values.at(0).integers.at(0) = 7;
+  EXPECT_EQ(losses("b.mesh", both).at(0).item, "values \"markers\" of elements");
+}
+
 TEST(MeditFiles, TheEndingTellsTheForm) {
   const test::TestFiles files;
   const Document document =

@@ -237,6 +237,31 @@ TEST(MshIrregular, GhostsOf22ComeTo41AndBack) {
   }
 }
 
+// Two elements of the same nodes in different groups are no element in two groups: 2.2 tells them apart by a
+// tag more, which is the writer's and no loss.
+TEST(MshIrregular, ElementsOnTheSameNodesStayTwo) {
+  const test::TestFiles files;
+  for (const char* partitions : {"2 7 1", "4 7 1 1 5"}) {
+    std::string second = partitions;
+    second[2] = '8';
+    const Document document = read_document(
+        files.write("a.msh", v22 + nodes22 + "$Elements\n3\n1 4 " + partitions +
+                                 " 1 2 3 4\n2 15 2 7 1 1\n3 4 " + second + " 1 2 3 4\n$EndElements\n"));
+    Document two = document;
+    two.blocks = {document.blocks.at(0), document.blocks.at(2)};  // now next to each other
+    two.blocks[1].first = 1, two.blocks[1].nodes = 4;
+    two.connectivity.erase(two.connectivity.begin() + 4);
+    two.element_tags = {1, 3};
+    for (const bool binary : {false, true}) {
+      write_document(files.path("b.msh"), two, {.format = "msh22", .binary = binary});
+      const Document back = read_document(files.path("b.msh"));
+      EXPECT_EQ(back.elements(), 2u) << partitions;
+      EXPECT_EQ(dropped_in(back), "") << partitions;
+      EXPECT_EQ(test::text_of(back, false), test::text_of(two, false));
+    }
+  }
+}
+
 // Nothing tells the owner of an element whose partitions are all negative.
 TEST(MshIrregular, GhostsWithoutAnOwnerStayPartitions) {
   const Read got = read(v22 + nodes22 + "$Elements\n1\n1 4 4 7 1 1 -2 1 2 3 4\n$EndElements\n");

@@ -231,6 +231,19 @@ TEST(Cutting, PointsOnSides) {
   EXPECT_EQ(twice_area(cut, points), 32);
 }
 
+// A side that passes over a corner: where the polygon touches itself there, it can be cut; where it goes on
+// to the other side, one of its two parts would be turned.
+TEST(Cutting, CrossedAndTouchedAtACorner) {
+  const Points points{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {2, 0, 0}, {2, 3, 0}, {2, -2, 0}};
+  EXPECT_EQ(cut_of({0, 1, 2, 3, 4}, points), (Triangles{{0, 3, 4}, {1, 2, 3}}));
+  for (const std::vector<Index>& crossed :
+       {std::vector<Index>{0, 1, 2, 3, 5}, {0, 3, 1, 2, 3, 5}, {5, 3, 2, 1, 0}}) {
+    Cut cut;
+    cut_polygon(crossed, points, cut);
+    EXPECT_EQ(cut.fault, "crosses itself");
+  }
+}
+
 TEST(Cutting, Faults) {
   Cut cut;
   const std::vector<Index> bow{0, 1, 3, 2};

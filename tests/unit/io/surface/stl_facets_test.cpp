@@ -174,5 +174,49 @@ TEST(TetgensFacets, AreLostOnlyIfFacesAreAnotherBody) {
   EXPECT_EQ(lost("a.vtu", edge), "that lines and points belong to TetGen's facets 1 (element 1)\n");
 }
 
+// A tetrahedron around a smaller one, whose facets are wound into it or out of it.
+std::string tetrahedron_with_cavity(const std::string& end, bool wound) {
+  const std::string cavity = wound ? "3 5 6 7\n1\n3 5 8 6\n1\n3 5 7 8\n1\n3 6 8 7\n"
+                                   : "3 5 7 6\n1\n3 5 6 8\n1\n3 5 8 7\n1\n3 6 7 8\n";
+  return "8 3 0 0\n1 0 0 0\n2 0 9 0\n3 9 0 0\n4 0 0 9\n5 1 1 1\n6 2 1 1\n7 1 2 1\n8 1 1 2\n8 0\n1\n3 1 2 "
+         "3\n1\n"
+         "3 1 3 4\n1\n3 1 4 2\n1\n3 3 2 4\n1\n" +
+         cavity + end;
+}
+
+// The walls of a cavity say what the point in its hole says, if they are there and wound so.
+TEST(TetgensFacets, HolesAreLostOnlyWithoutTheirWalls) {
+  const test::TestFiles files;
+  const std::string hole = "1\n1 1.1 1.2 1.3\n0\n";
+  const Document wound = read_document(files.write("a.poly", tetrahedron_with_cavity(hole, true)));
+  for (const char* target : {"a.stl", "a.vtu", "a.off", "a.ply", "a.obj", "a.mesh"})
+    EXPECT_EQ(lost(target, wound), "") << target;
+  EXPECT_NE(
+      lost("a.stl", read_document(files.write("a.poly", tetrahedron_with_cavity(hole, false)))).find("holes"),
+      std::string::npos);
+  // The cavity's facets alone, around the point: the tetrahedron outside is left out of the STL.
+  Document second = wound;
+  second.connectivity[12] = -1, second.unknown = {77};
+  EXPECT_NE(lost("a.stl", second).find("holes 1 "), std::string::npos);
+  // A .msh keeps the point aside, for TetGen.
+  EXPECT_EQ(kept_aside("a.msh", wound).items.back().item, "holes");
+}
+
+// The faces of a closed surface are a body to mesh as they are.
+TEST(TetgensFacets, FacesBecomeThemWithoutALossOnlyIfTheyAreTheSameBody) {
+  const test::TestFiles files;
+  const auto aside = [&](const std::string& faces) {
+    std::string text;
+    const Document document =
+        read_document(files.write("a.off", "OFF\n4 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 1\n" + faces));
+    for (const Loss& loss : kept_aside("a.poly", document).items)
+      text += fmt::format("{} {}\n", loss.item, loss.count);
+    return text;
+  };
+  const std::string three = "3 0 1 2\n3 0 2 3\n3 0 3 1\n";
+  EXPECT_EQ(aside(three + "3 2 1 3\n"), "");
+  EXPECT_EQ(aside(three + "3 1 2 3\n"), "that faces are of a mesh, not facets of a body to mesh 4\n");
+}
+
 }  // namespace
 }  // namespace tetproof

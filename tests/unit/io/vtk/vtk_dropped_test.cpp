@@ -35,6 +35,12 @@ const std::vector<Case> of_vtk{
                     "CELL_DATA 1\nSCALARS CellEntityIds int 1\nLOOKUP_TABLE default\n7\n"
                     "FIELD FieldData 1\na 1 1 double\n0.5\n")}},
      {}},
+    {"PointsBehindThoseOfTheType",
+     {{"a.vtk", vtk("CELLS 3 16\n4 0 1 2 4\n6 0 1 2 4 5 6\n3 0 1 7\nCELL_TYPES 3\n10\n10\n3\n")}},
+     {"points of cells behind those that their type has: 3 (cell 1: 6 points of type 10)"}},
+    {"ArraysWithoutValues",
+     {{"a.vtk", vtk(tet, "CELL_DATA 1\nFIELD FieldData 2\nnone 0 0 float\na 1 1 double\n0.5\n")}},
+     {"arrays without values: 1 (\"none\")"}},
     {"CellsThatNoDocumentHas",
      {{"a.vtk", vtk("CELLS 5 30\n4 0 1 2 4\n4 0 1 2 4\n4 0 1 2 4\n6 0 1 2 3 4 5\n7 0 1 2 3 4 5 6\n"
                     "CELL_TYPES 5\n10 79 79 41 99\n")}},
@@ -168,6 +174,21 @@ const std::vector<Case> of_vtu{
        "</DataArray></Polys></Piece></PolyData></VTKFile>"}},
      {"numbers of points behind those of the last cell: 2 (line 3)",
       "cells of <Polys> without NumberOfPolys: 1 (line 4)"}},
+    {"ValuesBehindThoseOfAnArray",
+     {{"a.vtu",
+       vtu(piece("<CellData><DataArray type=\"Int8\" Name=\"a\" format=\"ASCII\">1 2 30\n</DataArray>"
+                 "<DataArray type=\"Float64\" Name=\"b\">7 \n</DataArray></CellData>"))}},
+     {"bytes behind the values of arrays: 4 (\"a\")"}},
+    {"SurplusNumbersOfAttributes",
+     {{"a.vti",
+       "<VTKFile type=\"ImageData\">\n<ImageData WholeExtent=\"0 1 0 1 0 1 0 2\" Origin=\"1 2 3 4\" "
+       "Spacing=\"1 1 1 one more\" Direction=\"1 0 0 0 1 0 0 0 1 0\">\n<Piece Extent=\"0 1 0 1 0 1 9\"/>\n"
+       "</ImageData></VTKFile>"}},
+     {"words behind the 6 numbers of WholeExtent: 2 (line 2: 0 2)",
+      "words behind the 3 numbers of Origin: 1 (line 2: 4)",
+      "words behind the 3 numbers of Spacing: 2 (line 2: one more)",
+      "words behind the 9 numbers of Direction: 1 (line 2: 0)",
+      "words behind the 6 numbers of Extent: 1 (line 3: 9)"}},
     {"BytesBehindValues",
      {{"a.vtu", vtu(piece("<CellData><DataArray type=\"Int8\" Name=\"a\" "
                           "format=\"binary\">AQAAAAc=AAAA</DataArray></CellData>"))}},
