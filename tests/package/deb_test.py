@@ -100,6 +100,10 @@ def main():
         if not shutil.which(tool):
             print(f"skipped: {tool} is not installed")
             sys.exit(77)
+    # Such programs are ten times as large, and nobody packs them.
+    if re.search(r"^TETPROOF_SANITIZE:\w+=.", (arguments.build / "CMakeCache.txt").read_text(), re.MULTILINE):
+        print("skipped: the build has sanitizers")
+        sys.exit(77)
     with tempfile.TemporaryDirectory() as temporary:
         folders = [pathlib.Path(temporary) / name for name in ("first", "second")]
         for folder in folders:
