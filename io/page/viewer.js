@@ -73,6 +73,7 @@ const viewer = (function () {
     layer.material = layer.mesh.material;
     layer.mesh.renderOrder = given.opacity < 1 ? 2 : 0;
     if (given.boundary && layer.tets.length <= 60000) layer.mesh.add(layer.edges = sidesOf(layer.triangles, '#46505a'));
+    fadeEdges(layer);
     world.add(layer.mesh);
     return layer;
   }
@@ -134,12 +135,19 @@ const viewer = (function () {
     }
     applyCut();
   }
+  // Through a translucent boundary one sees the edges of both sides: faint ones leave its inside visible.
+  function fadeEdges(layer) {
+    if (!layer.edges) return;
+    layer.edges.material.transparent = layer.opacity < 1;
+    layer.edges.material.opacity = layer.opacity < 1 ? 0.3 : 1;
+  }
   function setOpacity(value) {
     boundary.opacity = value;
     boundary.material.opacity = value;
     boundary.material.transparent = value < 1;
     boundary.material.depthWrite = value >= 1;
     boundary.mesh.renderOrder = value < 1 ? 1 : 0;
+    fadeEdges(boundary);
     view.dispatchEvent(new Event('opacity'));
     draw();
   }
