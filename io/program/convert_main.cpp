@@ -270,7 +270,6 @@ int main(int argc, char** argv) {
         app.add_flag("--binary", choices->binary, "write binary")->excludes(ascii);
         app.add_option("--losses", choices->losses_file,
                        "write what is not read or lost as JSON; - is standard output")
-            ->check(program::not_empty)
             ->type_name("FILE");
         app.add_flag("--strict", choices->strict,
                      "lose nothing, in reading and in writing, or exit 1 and write nothing. What only "

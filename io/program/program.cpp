@@ -84,11 +84,10 @@ void refuse_empty_paths(const CLI::App& app) {
     const bool names_file =
         std::any_of(std::begin(path_types), std::end(path_types),
                     [&](std::string_view known) { return std::string_view(type).starts_with(known); });
-    if (!names_file) continue;
     const std::vector<std::string> values = option->results();
-    if (std::find(values.begin(), values.end(), "") != values.end())
-      throw InputError(fmt::format("{}: expected the name of a {}, found an empty text", option->get_name(),
-                                   type.starts_with("DIR") ? "folder" : "file"));
+    if (names_file && std::find(values.begin(), values.end(), "") != values.end())
+      throw InputError(
+          fmt::format("{}: expected a value, found '' (see {} --help)", option->get_name(), app.get_name()));
   }
 }
 

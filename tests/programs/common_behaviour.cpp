@@ -68,7 +68,7 @@ TEST_P(CommonBehaviour, AnEmptyNameOfAnOutputIsRefused) {
   for (const std::string& option : GetParam().outputs) {
     const Outcome outcome = run({option, ""});
     expect_refused(outcome);
-    EXPECT_THAT(outcome.err, HasSubstr(option + ": expected the name of a file, found an empty text"));
+    EXPECT_THAT(outcome.err, HasSubstr(option + ": expected a value, found '' (see "));
   }
 }
 
