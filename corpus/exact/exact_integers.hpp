@@ -36,6 +36,11 @@ inline int last_bit(std::span<const Eigen::Vector3d> points) {
   return least == std::numeric_limits<int>::max() ? 0 : least;
 }
 
+// g++ 14 takes the limbs of Boost's shift for more than there are.
+#pragma GCC diagnostic push
+#ifndef __clang__
+#pragma GCC diagnostic ignored "-Wstringop-overflow"
+#endif
 /// x in units of 2^unit. It must be a multiple of 2^unit.
 inline Integer integer(double x, int unit) {
   if (x == 0) return 0;
@@ -45,6 +50,7 @@ inline Integer integer(double x, int unit) {
   while (digits % 2 == 0) digits /= 2, ++exponent;
   return Integer(digits) << (exponent - unit);
 }
+#pragma GCC diagnostic pop
 
 inline IntegerPoint integers(const Eigen::Vector3d& p, int unit) {
   return {integer(p[0], unit), integer(p[1], unit), integer(p[2], unit)};

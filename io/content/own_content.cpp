@@ -71,9 +71,11 @@ std::optional<Content> ply(std::string_view bytes) {
 }
 
 std::optional<Content> stl(std::string_view bytes) {
-  if (bytes.size() > 84) {
+  if (bytes.size() >= 84) {
     const std::size_t facets = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
-    if (bytes.size() == 84 + 50 * facets) return Content{"stl", "a binary STL file", {}};
+    // One without facets needs a header: zeros alone may be what is left of any file.
+    if (bytes.size() == 84 + 50 * facets && (facets > 0 || bytes[0] != '\0'))
+      return Content{"stl", "a binary STL file", {}};
   }
   Scanner scanner = head_scanner(bytes);
   if (lower_case(scanner.word().substr(0, 6)) != "solid") return {};

@@ -64,10 +64,10 @@ void write_binary(AtomicFile& file, const std::vector<MeditSolutionPart>& parts)
     char to[sizeof(value)];
     bytes.append(to, store(to, value, std::endian::native));
   };
-  // A keyword and the place behind `size` bytes of its data.
-  const auto keyword = [&](int code, std::size_t size) {
+  // A keyword and the place behind so many bytes of its data.
+  const auto keyword = [&](int code, std::size_t data_bytes) {
     integer(std::int32_t{code});
-    const std::size_t next = code == medit_end ? 0 : written + bytes.size() + (wide ? 8 : 4) + size;
+    const std::size_t next = code == medit_end ? 0 : written + bytes.size() + (wide ? 8 : 4) + data_bytes;
     wide ? integer(static_cast<std::int64_t>(next)) : integer(static_cast<std::int32_t>(next));
   };
   integer(std::int32_t{1}), integer(std::int32_t{wide ? 3 : 2});

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "io/bytes/words.hpp"
@@ -52,8 +54,8 @@ void VtkPieceTags::add_negative(std::size_t first, const std::vector<std::uint32
   if (rest.at.empty()) return;
   for (Values& values : document_.element_values)
     if (values.name == rest.name && !values.at.empty()) {  // of the pieces before
-      values.at.insert(values.at.end(), rest.at.begin(), rest.at.end());
-      values.integers.insert(values.integers.end(), rest.integers.begin(), rest.integers.end());
+      std::copy(rest.at.begin(), rest.at.end(), std::back_inserter(values.at));
+      std::copy(rest.integers.begin(), rest.integers.end(), std::back_inserter(values.integers));
       return;
     }
   document_.element_values.push_back(std::move(rest));

@@ -156,8 +156,8 @@ void expect_same_checks(const tetproof_check* const* checks, std::int64_t count,
     for (std::int64_t f = 0; f < check.finding_count; ++f) {
       const tetproof_finding& finding = *check.findings[f];
       const json& one = in["findings"][static_cast<std::size_t>(f)];
-      EXPECT_EQ(std::vector<std::int64_t>(finding.tets, finding.tets + finding.tet_count), one["tets"]);
-      EXPECT_EQ(std::vector<std::int64_t>(finding.vertices, finding.vertices + finding.vertex_count),
+      EXPECT_EQ(json(std::vector<std::int64_t>(finding.tets, finding.tets + finding.tet_count)), one["tets"]);
+      EXPECT_EQ(json(std::vector<std::int64_t>(finding.vertices, finding.vertices + finding.vertex_count)),
                 one["vertices"]);
       ASSERT_EQ(finding.face_count, static_cast<std::int64_t>(one["faces"].size()));
       for (std::int64_t k = 0; k < 3 * finding.face_count; ++k)

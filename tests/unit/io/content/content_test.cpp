@@ -313,6 +313,15 @@ TEST(ForeignFormats, AreNotSeenInOurFiles) {
   EXPECT_EQ(read_surface(files.write("a.off", cube(".off").substr(4))).triangles.size(), 12u);
   files.write("b.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
   EXPECT_EQ(read_document(files.write("b.ele", "1 4 0\n1 1 2 3 4\n")).elements(), 1u);
+  // The title of a binary STL may be anything, also where there are no triangles.
+  for (const std::size_t triangles : {0u, 1u}) {
+    std::string stl = "\x89PNG of a part";
+    stl.resize(84 + 50 * triangles);
+    stl[80] = static_cast<char>(triangles);
+    EXPECT_EQ(read_document(files.write("c.stl", stl)).title.substr(1), "PNG of a part");
+  }
+  const std::string zeros = files.write("d.node", std::string(84, '\0'));
+  EXPECT_EQ(files.message([&] { read_document(zeros); }).find("STL"), std::string::npos);
 }
 
 }  // namespace

@@ -125,10 +125,10 @@ TEST(MshData, GroupsOfMeshio) {
   const std::string mesh =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
       "$Elements\n2\n1 2 2 0 0 1 2 3\n2 2 2 0 0 3 2 1\n$EndElements\n$ElementData\n1\n\"";
-  const std::string data = "\"\n1\n0\n3\n0\n1\n2\n1 3\n2 0\n$EndElementData\n";
+  const std::string rest = "\"\n1\n0\n3\n0\n1\n2\n1 3\n2 0\n$EndElementData\n";
   for (const auto& [word, group, values] :
        {std::tuple("medit:ref", true, 0u), {"tetgen:ref", true, 0u}, {"material", false, 1u}}) {
-    const Document document = read_document(files.write("a.msh", mesh + word + data));
+    const Document document = read_document(files.write("a.msh", mesh + word + rest));
     EXPECT_EQ(document.element_values.size(), values) << word;
     const auto& groups = document.tag_sets[static_cast<std::size_t>(document.blocks[0].groups)];
     EXPECT_EQ(groups, group ? std::vector<std::int64_t>{3} : std::vector<std::int64_t>{}) << word;
