@@ -40,6 +40,7 @@ inline int last_bit(std::span<const Eigen::Vector3d> points) {
 #pragma GCC diagnostic push
 #ifndef __clang__
 #pragma GCC diagnostic ignored "-Wstringop-overflow"
+#pragma GCC diagnostic ignored "-Warray-bounds"
 #endif
 /// x in units of 2^unit. It must be a multiple of 2^unit.
 inline Integer integer(double x, int unit) {
