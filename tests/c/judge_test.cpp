@@ -221,7 +221,7 @@ void expect_same(const Report& report) {
     const tetproof_distribution& angles = r.quality->dihedral_angles;
     const json& min = all["quality"]["dihedral_angles"]["min"];
     EXPECT_TRUE(min.is_null() ? std::isnan(angles.min) : angles.min == min);
-    EXPECT_EQ(std::vector<std::int64_t>(angles.counts, angles.counts + angles.bin_count),
+    EXPECT_EQ(json(std::vector<std::int64_t>(angles.counts, angles.counts + angles.bin_count)),
               all["quality"]["dihedral_angles"]["histogram"]["counts"]);
   }
   EXPECT_EQ(r.note_count, static_cast<std::int64_t>(all["notes"].size()));
