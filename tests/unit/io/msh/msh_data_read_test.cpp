@@ -134,7 +134,7 @@ TEST(MshData, GroupsOfMeshio) {
     EXPECT_EQ(groups, group ? std::vector<std::int64_t>{3} : std::vector<std::int64_t>{}) << word;
   }
   // Not where elements have groups, or the numbers are none.
-  std::string other = mesh + "medit:ref" + data;
+  std::string other = mesh + "medit:ref" + rest;
   other.replace(other.find("\n1 3\n"), 5, "\n1 -3\n");
   const Document document = read_document(files.write("a.msh", other));
   ASSERT_EQ(document.element_values.size(), 1u);
