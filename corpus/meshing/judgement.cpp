@@ -69,13 +69,8 @@ class Judge {
     if (asks(false) && !passes(verify::verify(run_.mesh, options_), Outcome::wrong)) return judgement_;
     if (!asks(true)) return judgement_;
     verify::Options against = options_;
-    against.region = verify::Region::inside;
-    against.coarse = coarse_;
-    against.strict_topology = !coarse_;
     if (against.check.empty()) against.check = checks_of_pass_2();
-    // The box of a grid from a coarse lattice says nothing. (An empty list would mean all checks.)
-    if (coarse_ && against.check.size() > 1)
-      std::erase(against.check, verify::info(verify::Check::bounding_box).id);
+    set_against_surface(against, coarse_);
     if (!passes(verify::verify(run_.mesh, surface_, against), Outcome::wrong_against_surface) &&
         judgement_.outcome == Outcome::wrong_against_surface && options_.check.empty())
       name_region(against);
@@ -159,6 +154,18 @@ Judgement judge_against(const MesherRun& run, const Mesher& mesher, const verify
 }
 
 }  // namespace
+
+void set_against_surface(verify::Options& options, bool coarse) {
+  options.region = verify::Region::inside;
+  options.coarse = coarse;
+  options.strict_topology = !coarse;
+  if (!coarse || options.check.size() == 1) return;  // without its only check a list would mean all checks
+  const std::string box = verify::info(verify::Check::bounding_box).id;
+  if (options.check.empty())
+    options.skip = {box};
+  else
+    std::erase(options.check, box);
+}
 
 Judgement judge_run(const MesherRun& run, const Mesher& mesher, const verify::JudgedSurface& surface,
                     const JudgeOptions& options) {

@@ -11,6 +11,7 @@
 #include "corpus/meshing/mesher.hpp"
 #include "verify/report.hpp"
 #include "verify/surface.hpp"
+#include "verify/verify.hpp"
 
 namespace tetproof::corpus {
 
@@ -33,6 +34,10 @@ struct Judgement {
   double allowed = 0;                      ///< distance allowed in pass 2 [length]
   double seconds = 0;                      ///< of the verdict
 };
+
+/// Sets how pass 2 judges: whether the mesh fills the surface, strictly or as a grid from a coarse lattice,
+/// whose box and topology may differ. `options` has its checks already.
+void set_against_surface(verify::Options& options, bool coarse);
 
 /// Judges. Pass 1 judges the mesh alone. Pass 2 compares it with the surface: distance, volume, regions, and
 /// topology always. The tolerance of pass 2 is `tolerance` (or the mesher's own `fidelity`) times the

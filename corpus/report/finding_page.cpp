@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus/report/finding_page.hpp"
+#include "corpus/meshing/judgement.hpp"
 
 #include <fmt/format.h>
 
@@ -32,13 +33,8 @@ std::string text_of(const std::string& path) {
 // version wrote it, is taken from the finding's report.
 void judge_as_then(verify::Options& options, const nlohmann::json& facts, const nlohmann::json& report,
                    double diagonal) {
-  options.region = verify::Region::inside;
   const nlohmann::json judged = facts.value("judged", nlohmann::json::object());
-  options.coarse = judged.value("coarse", false);
-  options.strict_topology = !options.coarse;
-  // The box of a grid from a coarse lattice says nothing.
-  if (options.coarse && options.check.size() != 1)
-    options.skip = {verify::info(verify::Check::bounding_box).id};
+  set_against_surface(options, judged.value("coarse", false));
   const bool measured = report.contains("fidelity") && report["fidelity"].is_object();
   if (judged.contains("allowed"))
     options.fidelity = judged.value("allowed", 0.0) / diagonal;

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -41,7 +42,9 @@ Json numbers_of(const std::vector<std::int64_t>& numbers) {
   Json runs = Json::array();
   bool fit = true;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i == 0 || numbers[i] != numbers[i - 1] + 1) runs.push_back({i, numbers[i]});
+    const bool starts = i == 0 || numbers[i - 1] == std::numeric_limits<std::int64_t>::max() ||
+                        numbers[i] != numbers[i - 1] + 1;
+    if (starts) runs.push_back({i, numbers[i]});
     fit = fit && numbers[i] == static_cast<std::int32_t>(numbers[i]);
   }
   if (runs.size() < 16 || runs.size() < numbers.size() / 4) return runs;

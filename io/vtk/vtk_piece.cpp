@@ -188,7 +188,8 @@ class Adder {
       if (const int gmsh = gmsh_type_of_cell(piece_.types[c], n); gmsh != 0) {
         add_loss(document_.dropped, "points of cells behind those that their type has", nodes.size() - n,
                  fmt::format("cell {}{}: {} of type {}", c, piece_.which, counted(nodes.size(), "points"),
-                             piece_.types[c]));
+                             piece_.types[c]),
+                 true);  // the cell may be curved, and what is judged is not
         element(c, gmsh, nodes.first(n));
         return true;
       }

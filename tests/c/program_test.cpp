@@ -177,14 +177,25 @@ TEST(CProgram, MakesThePageOfTetproofVerify) {
   const Report of_arrays = made<tetproof_report>([&](auto** out, auto* error) {
     return tetproof_judge(&points, &tets, &regions, nullptr, nullptr, out, error);
   });
-  const auto html = [&](const tetproof_surface* surface) {
-    return made<char>([&](char** out, auto* error) {
-      return tetproof_report_html(of_arrays.get(), &points, &tets, surface, "</title><b>", out, error);
-    });
-  };
-  const std::string of_two = html(nullptr).get();
+  const auto html = made<char>([&](char** out, auto* error) {
+    return tetproof_report_html(of_arrays.get(), &points, &tets, nullptr, "</title><b>", out, error);
+  });
+  const std::string of_two = html.get();
   EXPECT_NE(of_two.find("<td>region 9</td>"), std::string::npos);
   EXPECT_EQ(of_two.find("</title><b>"), std::string::npos);
+  const tetproof_surface_arrays* const eight = tetproof_surface_view(octahedron.get());
+  const tetproof_points corners{eight->vertices, eight->vertex_count, 0, 0};
+  const tetproof_integers triangles{eight->triangles, eight->triangle_count, 0, 0, 0, 32};
+  const Surface unnamed = made<tetproof_surface>([&](auto** out, auto* error) {
+    return tetproof_surface_from_arrays(&corners, &triangles, out, error);
+  });
+  const Report against = made<tetproof_report>([&](auto** out, auto* error) {
+    return tetproof_judge(&points, &tets, nullptr, unnamed.get(), nullptr, out, error);
+  });
+  const auto titled = made<char>([&](char** out, auto* error) {
+    return tetproof_report_html(against.get(), &points, &tets, unnamed.get(), "two", out, error);
+  });
+  EXPECT_NE(std::string(titled.get()).find("<title>two against surface</title>"), std::string::npos);
   EXPECT_EQ(refused<char>(TETPROOF_BAD_ARGUMENT,
                           [&](char** out, auto* error) {
                             return tetproof_report_html(of_arrays.get(), &points, &tets, octahedron.get(),

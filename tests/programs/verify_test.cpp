@@ -147,6 +147,16 @@ TEST_F(Verify, AMeshWithNumbersBehindTheLastSectionIsIncomplete) {
   EXPECT_THAT(run({"second.msh"}).out, HasSubstr("FAIL duplicate-tet: 1"));
 }
 
+// Gmsh writes its curved elements so. What VTK takes of them has straight edges.
+TEST_F(Verify, ATetrahedronWithPointsBehindThoseOfItsTypeIsIncomplete) {
+  files.write("curved.vtk",
+              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n0 0 0 1 0 0 "
+              "0 1 0 0 0 1 0.5 0 -0.2\nCELLS 1 6\n5 0 1 2 3 4\nCELL_TYPES 1\n10\n");
+  const Outcome curved = run({"curved.vtk"});
+  EXPECT_EQ(curved.exit_code, 4) << curved;
+  EXPECT_THAT(curved.out, HasSubstr("unjudged  1 point of cells behind those that their type has: not read"));
+}
+
 TEST_F(Verify, ACrackedMesh) {
   // The first tetrahedron has its own copies of four points, so its two inner faces are not shared.
   files.write("cracked.node",

@@ -101,13 +101,16 @@ char* page_of(const TetMesh& mesh, const tetproof_report& report, const tetproof
                                 judged ? fmt::format("a surface of {} triangles", judged->boundary_faces)
                                        : "a mesh without a surface",
                                 surface ? fmt::format("a surface of {} triangles", triangles) : "none"));
-  return text_for_caller(verify::report_page(report.report, {.mesh = mesh,
-                                                             .numbering = report.numbering,
-                                                             .mesh_name = mesh_name,
-                                                             .surface = surface ? &surface->surface : nullptr,
-                                                             .surface_name = surface ? surface->name : "",
-                                                             .regions = report.regions.of_tet,
-                                                             .region_tags = report.regions.tags}));
+  return text_for_caller(
+      verify::report_page(report.report, {.mesh = mesh,
+                                          .numbering = report.numbering,
+                                          .mesh_name = mesh_name,
+                                          .surface = surface ? &surface->surface : nullptr,
+                                          .surface_name = !surface                ? ""
+                                                          : surface->name.empty() ? "surface"
+                                                                                  : surface->name,
+                                          .regions = report.regions.of_tet,
+                                          .region_tags = report.regions.tags}));
 }
 
 }  // namespace

@@ -233,8 +233,8 @@ TETPROOF_API tetproof_status tetproof_report_junit(const tetproof_report* report
 
 /* The report as a page of HTML that opens from disk in any browser, with the mesh, the surface and the
  * defects in three dimensions: the bytes that `tetproof-verify --html` writes. The mesh and the surface
- * (null: none) are those of the report; `mesh_name` is what the mesh is called on the page. BAD_ARGUMENT:
- * other counts of points, tetrahedra or triangles. */
+ * (null: none) are those of the report; `mesh_name` is what the mesh is called on the page, and a
+ * surface of arrays is called "surface". BAD_ARGUMENT: other counts of points, tetrahedra or triangles. */
 TETPROOF_API tetproof_status tetproof_report_html(const tetproof_report* report,
                                                   const tetproof_points* points,
                                                   const tetproof_integers* tets,

@@ -82,6 +82,9 @@ TEST(Scene, numbers_are_runs_and_arrays_are_base64) {
 
 TEST(Scene, numbers_in_no_order_are_an_array) {
   Scene scene = one_tetrahedron();
+  scene.tet_numbers = {std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
+  EXPECT_EQ(nlohmann::json::parse(scene_json(scene))["tet_numbers"],
+            nlohmann::json::parse("[[0, 9223372036854775807], [1, -9223372036854775808]]"));
   scene.tet_numbers.clear();
   for (std::int64_t i = 0; i < 20; ++i) scene.tet_numbers.push_back(i * 7 % 20);
   const auto json = [&] { return nlohmann::json::parse(scene_json(scene))["tet_numbers"]; };
