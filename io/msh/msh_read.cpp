@@ -267,6 +267,7 @@ class Reader {
   void finish() {
     if (document_.format == "msh22" || document_.format == "msh3") take_ghosts_from_partitions(document_);
     if (nodes_came_later_ && !document_.unknown.empty()) find_late_nodes();
+    if (!index_) index_.emplace(document_);  // it finds nodes that are given twice
     if (document_.format != "msh1" && document_.format != "msh22") {
       std::map<std::pair<int, std::int64_t>, const Entity*> entities;
       for (const Entity& entity : document_.entities) entities.try_emplace({entity.dim, entity.tag}, &entity);
@@ -279,7 +280,6 @@ class Reader {
     }
     find_dimensions_of_names(document_);
     if (!data_.empty()) {
-      if (!index_) index_.emplace(document_);
       data_.look_up(document_, *index_, copies_);
       if (supplement_.empty()) take_groups_from_data();  // a supplement names the values of the file
     }
