@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetproof::io {
 
@@ -15,9 +16,10 @@ struct Content {
   std::string advice;  ///< of a foreign format: what the user can do
 };
 
-/// The format that we read, if the content leaves no doubt. TetGen's files are never recognised, since they
-/// hold numbers and nothing else; nor is an OFF without its keyword.
-std::optional<Content> own_content(std::string_view bytes);
+/// The formats that we read and that the content shows, the most certain one first; mostly one or none.
+/// TetGen's files are never recognised, since they hold numbers and nothing else; nor is an OFF without its
+/// keyword.
+std::vector<Content> own_contents(std::string_view bytes);
 
 /// The foreign format, if the content leaves no doubt. `ending` is that of the file's name, in lower case: a
 /// FreeFem .msh is recognised under this ending only, because an OFF without its keyword begins in the same

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "io/bytes/byte_order.hpp"
 #include "io/bytes/input_file.hpp"
@@ -70,13 +71,27 @@ std::optional<Content> ply(std::string_view bytes) {
   return Content{"ply", "a PLY file", {}};
 }
 
-std::optional<Content> stl(std::string_view bytes) {
-  if (bytes.size() >= 84) {
-    const std::size_t facets = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
-    // One without facets needs a header: zeros alone may be what is left of any file.
-    if (bytes.size() == 84 + 50 * facets && (facets > 0 || bytes[0] != '\0'))
-      return Content{"stl", "a binary STL file", {}};
-  }
+// The number of facets of a binary STL file, if its size is right for them.
+std::optional<std::size_t> facets_of_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return {};
+  const std::size_t facets = load<std::uint32_t>(bytes.data() + 80, std::endian::little);
+  return bytes.size() == 84 + 50 * facets ? std::optional(facets) : std::nullopt;
+}
+
+std::optional<Content> binary_stl(std::string_view bytes) {
+  const auto facets = facets_of_binary_stl(bytes);
+  if (!facets || *facets == 0) return {};
+  return Content{"stl", "a binary STL file", {}};
+}
+
+// It needs a header: zeros alone may be what is left of any file.
+std::optional<Content> empty_binary_stl(std::string_view bytes) {
+  const auto facets = facets_of_binary_stl(bytes);
+  if (!facets || *facets > 0 || bytes[0] == '\0') return {};
+  return Content{"stl", "a binary STL file", {}};
+}
+
+std::optional<Content> text_stl(std::string_view bytes) {
   Scanner scanner = head_scanner(bytes);
   if (lower_case(scanner.word().substr(0, 6)) != "solid") return {};
   scanner.next_line();
@@ -116,10 +131,13 @@ std::optional<Content> obj(std::string_view bytes) {
 
 }  // namespace
 
-std::optional<Content> own_content(std::string_view bytes) {
-  for (const auto recognise : {gmsh, vtk, vtu, medit, ply, stl, off, obj})
-    if (std::optional<Content> content = recognise(bytes)) return content;
-  return {};
+// The header of a binary STL may be any text, also the start of another format: its size speaks first. A size
+// of 84 bytes with zeros at the end says little, and speaks last.
+std::vector<Content> own_contents(std::string_view bytes) {
+  std::vector<Content> contents;
+  for (const auto recognise : {binary_stl, gmsh, vtk, vtu, medit, ply, text_stl, off, obj, empty_binary_stl})
+    if (std::optional<Content> content = recognise(bytes)) contents.push_back(std::move(*content));
+  return contents;
 }
 
 }  // namespace tetproof::io

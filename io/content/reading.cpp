@@ -20,10 +20,14 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
+bool has_ending(const Format& format, const std::string& ending) {
+  return contains(format.endings, ending) || contains(format.endings_beside, ending);
+}
+
 // The format that the ending of a name stands for; empty: none, or one that Gmsh reads.
 std::string format_of_ending(const std::string& ending) {
   for (const Format& format : formats())
-    if (contains(format.endings, ending) || contains(format.endings_beside, ending)) return format.name;
+    if (has_ending(format, ending)) return format.name;
   return {};
 }
 
@@ -55,17 +59,18 @@ ReadDocument read_against_ending(const Content& content, const std::string& endi
 }
 
 ReadDocument read_by_content(const InputFile& file, const ReadOptions& options, Wanted wanted) {
-  const std::optional<Content> content = own_content(file.bytes());
-  if (!content) refuse_wide_text(file);
+  const std::vector<Content> contents = own_contents(file.bytes());
+  if (contents.empty()) refuse_wide_text(file);
   if (!options.format.empty()) return read_as(format_named(options.format).name, file, wanted);
   const std::string ending = file.is_named() ? ending_of(file.path()) : "";
   const std::string by_ending = format_of_ending(ending);
   const bool through_gmsh = contains(gmsh_endings(), ending);
-  if (content) {
-    const Format& format = format_named(content->format);
-    const bool agrees = contains(format.endings, ending) || contains(format.endings_beside, ending);
-    if (agrees || (by_ending.empty() && !through_gmsh)) return read_as(content->format, file, wanted);
-    return read_against_ending(*content, ending, file, wanted);
+  for (const Content& content : contents)
+    if (has_ending(format_named(content.format), ending)) return read_as(content.format, file, wanted);
+  if (!contents.empty()) {
+    const Content& content = contents.front();
+    if (by_ending.empty() && !through_gmsh) return read_as(content.format, file, wanted);
+    return read_against_ending(content, ending, file, wanted);
   }
   if (through_gmsh) return {read_through_gmsh(file.path())};
   if (const std::optional<Content> foreign = foreign_content(file.bytes(), ending))

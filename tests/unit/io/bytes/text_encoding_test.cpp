@@ -102,7 +102,8 @@ TEST(TextEncoding, WideTextIsRefusedByName) {
           const test::TestFiles files;
           write_set(files, name);
           files.write(name, wide(text, bytes, big, mark));
-          EXPECT_EQ(files.message([&] { read_document(files.path(name)); }),
+          const std::string path = files.path(name);
+          EXPECT_EQ(files.message([&] { read_document(path); }),
                     fmt::format("{}: text in UTF-{}, which no mesh format has; save it as UTF-8 or ASCII",
                                 name, 8 * bytes));
         }
