@@ -70,9 +70,10 @@ class MeshLosses : LossFinder {
       cut[one->element] = true;
       if (!one->as_it_was) add(what + " cut into triangles", 1, element(block, one->element));
     }
-    const auto first = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), false) - cut.begin());
-    add(what, static_cast<std::size_t>(std::count(cut.begin(), cut.end(), false)), element(block, first),
-        true);
+    const auto first = std::find(cut.begin(), cut.end(), false);
+    if (first == cut.end()) return;
+    add(what, static_cast<std::size_t>(std::count(first, cut.end(), false)),
+        element(block, static_cast<std::size_t>(first - cut.begin())), true);
   }
 
   void unknown_nodes(const ElementBlock& block) {

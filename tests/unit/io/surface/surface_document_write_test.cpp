@@ -2,6 +2,7 @@
 // What the surface formats write, and what they cannot hold and list as lost.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -55,6 +56,22 @@ TEST(SurfaceDocuments, StlHasANodeAtNanForEachCorner) {
     EXPECT_EQ(read_document(path).points.size(), 5U);
   }
 }
+
+// Where every element is cut, none is left out: also where the elements have numbers of their own.
+TEST(SurfaceDocuments, StlCutsAllNumberedElements) {
+  const test::TestFiles files;
+  const Document document = read_document(files.write(
+      "a.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+      "$EndNodes\n$Elements\n4\n7 3 0 1 2 3 4\n5 3 0 1 2 3 4\n6 3 0 1 2 3 4\n8 3 0 1 2 3 4\n$EndElements\n"));
+  const std::vector<Loss> lost = losses("a.stl", document, {.binary = true});
+  EXPECT_TRUE(std::none_of(lost.begin(), lost.end(), [](const Loss& loss) { return loss.elements; }));
+  ASSERT_GE(lost.size(), 1u);
+  EXPECT_EQ(lost[0].item, "quadrangles of 4 nodes (type 3) cut into triangles");
+  EXPECT_EQ(lost[0].count, 4);
+  EXPECT_EQ(lost[0].example, "element 7");
+}
+
 // A square becomes two triangles, and so does a bent one. A polygon that crosses itself is left out and
 // listed.
 TEST(SurfaceDocuments, StlCutsPolygons) {
