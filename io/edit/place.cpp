@@ -119,6 +119,19 @@ std::vector<Loss> rounded_places(const Document& document, const Eigen::Vector3d
   return lost;
 }
 
+bool is_affine_map(const PeriodicLink& link) {
+  return link.affine.size() == 16;
+}
+
+// Other numbers than those of a map stay as they are: nobody knows what they say.
+void list_other_numbers(const Document& document, std::vector<Loss>& lost) {
+  for (const PeriodicLink& link : document.periodic)
+    if (!link.affine.empty() && !is_affine_map(link))
+      add_loss(lost, "affine transformations without 16 numbers, left as they were", 1,
+               fmt::format("entity {} of dimension {}: {}", link.entity, link.dim,
+                           counted(link.affine.size(), "numbers")));
+}
+
 }  // namespace
 
 Edit scale(Document& document, double factor) {
@@ -133,7 +146,7 @@ Edit scale(Document& document, double factor) {
   for (LengthBound& bound : document.length_bounds)
     place.grow(bound.length, factor, 1, "the bound of a length");
   for (PeriodicLink& link : document.periodic)
-    for (std::size_t row = 0; row < 3 && link.affine.size() == 16; ++row)
+    for (std::size_t row = 0; row < 3 && is_affine_map(link); ++row)
       place.set_shift(link.affine[4 * row + 3], link.affine[4 * row + 3] * factor);
   mark_lengths(document);
   for (auto* all : {&document.node_values, &document.element_values})
@@ -142,7 +155,9 @@ Edit scale(Document& document, double factor) {
         for (double& value : values.reals)
           if (values.length_power < 3 || value > 0)  // a bound that is not positive is none
             place.grow(value, factor, values.length_power, values.name.c_str());
-  return {fmt::format("{} scaled by {}", counted(document.points.size(), "points"), factor), {}};
+  std::vector<Loss> lost;
+  list_other_numbers(document, lost);
+  return {fmt::format("{} scaled by {}", counted(document.points.size(), "points"), factor), std::move(lost)};
 }
 
 Edit translate(Document& document, const Eigen::Vector3d& by) {
@@ -152,13 +167,14 @@ Edit translate(Document& document, const Eigen::Vector3d& by) {
   Placing place(document, Placing::Kind::sum, map);
   place.move_points();
   for (PeriodicLink& link : document.periodic) {  // x = A m + t becomes x + d = A (m + d) + t + d - A d
-    if (link.affine.size() != 16) continue;
+    if (!is_affine_map(link)) continue;
     for (std::size_t row = 0; row < 3; ++row) {
       const double* a = link.affine.data() + 4 * row;
       place.set_shift(link.affine[4 * row + 3], a[3] + (by[static_cast<Eigen::Index>(row)] -
                                                         (a[0] * by[0] + a[1] * by[1] + a[2] * by[2])));
     }
   }
+  list_other_numbers(document, lost);
   return {
       fmt::format("{} moved by ({}, {}, {})", counted(document.points.size(), "points"), by[0], by[1], by[2]),
       std::move(lost)};

@@ -44,6 +44,8 @@ class MshData {
   void look_up(Document& document, NodeIndex& nodes, const std::vector<ElementTag>& copies);
 
  private:
+  void warn_of_maps(Document& document) const;
+
   struct TaggedValues {
     Values values;
     Of of = Of::node;

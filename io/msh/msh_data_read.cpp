@@ -191,8 +191,23 @@ void MshData::read_rows(Numbers& in, Header header, Of of) {
   in = here;
 }
 
+// Only 4.1 says how many numbers an affine transformation has.
+void MshData::warn_of_maps(Document& document) const {
+  const auto is_odd = [](const TaggedLink& read) {
+    return !read.link.affine.empty() && read.link.affine.size() != affine_size;
+  };
+  const auto first = std::find_if(links_.begin(), links_.end(), is_odd);
+  if (first == links_.end()) return;
+  const auto count = std::count_if(first, links_.end(), is_odd);
+  document.warnings.push_back(fmt::format(
+      "{}: {} not 16 numbers (the first: that of entity {} of dimension {}, which has {})", document.path,
+      count == 1 ? "an affine transformation has" : fmt::format("{} affine transformations have", count),
+      first->link.entity, first->link.dim, first->link.affine.size()));
+}
+
 // Looks up nodes first. A number that no node has may be one that no element has either.
 void MshData::look_up(Document& document, NodeIndex& nodes, const std::vector<ElementTag>& copies) {
+  warn_of_maps(document);
   for (TaggedLink& read : links_) {
     read.link.nodes.reserve(read.tags.size());
     for (const auto& [node, master] : read.tags) {

@@ -268,9 +268,9 @@ TEST(Boundary, FacesOfAllTypes) {
       {12, {&hexahedron, 6}}, {17, {&hexahedron, 6}},  {6, {&prism, 5}},        {13, {&prism, 5}},
       {18, {&prism, 5}},      {7, {&pyramid, 5}},      {14, {&pyramid, 5}},     {19, {&pyramid, 5}}};
   for (const auto& [type, shape] : types) {
-    const auto& [corners, count] = shape;
+    const std::vector<Eigen::Vector3d>* const corners = shape.first;
     const auto faces = io::solid_faces(type);
-    ASSERT_EQ(faces.size(), count) << type;
+    ASSERT_EQ(faces.size(), shape.second) << type;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& corner : *corners) middle += corner / static_cast<double>(corners->size());
     for (const io::SolidFace& face : faces) {

@@ -236,6 +236,20 @@ TEST(Translate, MovesEverything) {
   EXPECT_EQ(document.periodic[0].affine[7], 0);
 }
 
+// What a .msh gives instead of a map is nobody's place or length.
+TEST(Placing, NumbersThatAreNoMapStay) {
+  for (const bool moved : {false, true}) {
+    Document document = two_tets();
+    document.periodic = {{.dim = 2, .entity = 7, .master = 8, .affine = {1, 2, 3, 4}, .nodes = {}}};
+    const io::Edit edit = moved ? io::translate(document, {1, 0, 0}) : io::scale(document, 10);
+    EXPECT_EQ(document.periodic[0].affine, (std::vector<double>{1, 2, 3, 4}));
+    ASSERT_EQ(edit.lost.size(), 1u);
+    EXPECT_EQ(edit.lost[0].item, "affine transformations without 16 numbers, left as they were");
+    EXPECT_EQ(edit.lost[0].count, 1);
+    EXPECT_EQ(edit.lost[0].example, "entity 7 of dimension 2: 4 numbers");
+  }
+}
+
 // A box of no points, as Gmsh writes it, stays inside the range of numbers.
 TEST(Scale, BoxesWithoutPoints) {
   constexpr double most = std::numeric_limits<double>::max();

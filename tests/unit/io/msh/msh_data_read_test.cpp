@@ -45,7 +45,9 @@ const std::vector<ReadCase> read_cases{
     {"PeriodicOf41",
      mesh41 + "$Periodic\n3\n2 2 1\n16 " + affine +
          "\n1\n10 20\n0 3 4\n0\n1\n40 10\n0 3 4\n2 1 2\n0\n$EndPeriodic\n",
-     "periodic 2/2 1 (" + affine + "): 10-20\nperiodic 0/3 4 (): 40-10\nperiodic 0/3 4 (1 2):\n"},
+     "periodic 2/2 1 (" + affine + "): 10-20\nperiodic 0/3 4 (): 40-10\nperiodic 0/3 4 (1 2):\n",
+     {"a.msh: an affine transformation has not 16 numbers (the first: that of entity 3 of dimension 0, which "
+      "has 2)"}},
     {"GhostsOf40", mesh40 + "$GhostElements\n2\n6 1 2 3 4\n99 2 0\n$EndGhostElements\n",
      "ghost element 6 1: 3 4\nghost element ?99 2: \n"},
     {"GhostsOf41", mesh41 + "$GhostElements\n1\n5 1 1 2\n$EndGhostElements\n", "ghost element 5 1: 2\n"},
