@@ -108,7 +108,7 @@ struct Values {
 struct PeriodicLink {
   int dim = 0;
   std::int64_t entity = 0, master = 0;
-  std::vector<double> affine;               ///< 16 numbers row by row, or none
+  std::vector<double> affine;               ///< 16 numbers row by row, none, or what else a .msh 4.1 has
   std::vector<std::array<Index, 2>> nodes;  ///< positions of each node and its master; negative as in `at`
 };
 
